@@ -1,0 +1,156 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/vec3.hpp"
+
+/// What a case file says, as plain structs whose member initialisers are the documented defaults.
+namespace pliant {
+
+enum class Axis { x, y, z };
+
+struct PeriodicSide {};
+struct WallSide {
+  Vec3 velocity;  ///< of the wall; its component normal to the wall must be 0
+};
+struct FreeSlipSide {};
+/// The condition on one side of the box; the two sides of a direction are both periodic or both not.
+using BoundarySpec = std::variant<PeriodicSide, WallSide, FreeSlipSide>;
+
+/// Sides in the order x-, x+, y-, y+, z-, z+.
+using BoundaryConfig = std::array<BoundarySpec, 6>;
+
+enum class StretchingLaw { uniform, tanh };
+struct StretchingConfig {
+  StretchingLaw law = StretchingLaw::uniform;
+  double strength = 2.0;  ///< of the tanh law: larger packs more cells at both ends
+};
+
+struct BoxConfig {
+  Vec3 size{1, 1, 1};
+  Vec3 origin{0, 0, 0};
+  std::array<int, 3> cells{32, 32, 32};
+  StretchingConfig stretching_z;
+};
+
+struct FluidConfig {
+  double density = 1.0;
+  double viscosity = 1.0;  ///< dynamic
+};
+
+struct ForcingConfig {
+  Vec3 acceleration{0, 0, 0};  ///< force per unit mass of fluid
+  struct BulkVelocity {
+    Axis axis = Axis::x;
+    double value = 1.0;
+  };
+  std::optional<BulkVelocity> bulk_velocity;  ///< constant mass flux along a periodic axis
+};
+
+enum class InitialFlow { rest, uniform, couette, poiseuille, taylor_green, perturbed };
+struct InitialConfig {
+  InitialFlow flow = InitialFlow::rest;
+  Vec3 velocity{0, 0, 0};  ///< uniform: the velocity; perturbed: the mean velocity
+  double amplitude = 1.0;  ///< poiseuille: centre velocity; taylor-green, perturbed: velocity scale
+  Axis direction = Axis::x;  ///< poiseuille: of the flow
+  Axis normal = Axis::z;     ///< couette, poiseuille: of the walls; taylor-green: of the plane of the vortices
+  std::uint64_t seed = 1;    ///< perturbed
+};
+
+enum class ViscousMode { explicit_rk3, implicit_z, implicit };
+struct TimeConfig {
+  double end = 1.0;
+  std::optional<long> max_steps;
+  double cfl = 0.5;
+  std::optional<double> step;  ///< fixed step; else it follows cfl
+  double max_step = 0;         ///< upper bound on the adaptive step; 0: none
+  ViscousMode viscous = ViscousMode::implicit;
+};
+
+struct SphereSurface {
+  int frequency = 8;
+  double radius = 1.0;
+};
+struct FileSurface {
+  std::filesystem::path file;  ///< relative to the case's folder
+  double scale = 1.0;
+};
+using SurfaceSpec = std::variant<SphereSurface, FileSurface>;
+
+enum class TractionForm { none, drag, one_sided, gradient };
+struct TractionConfig {
+  TractionForm form = TractionForm::one_sided;
+  double coefficient = 100.0;   ///< drag: c_d in c = c_d mu A_node / R
+  double probe_length = 0.0;    ///< one-sided, gradient: 0 means the mean grid spacing
+};
+
+struct EdgeConfig {
+  double stiffness = 0;
+  double rest_length = 1.0;  ///< fraction of the initial length
+};
+enum class ReferenceAngle { initial, flat };
+struct BendingConfig {
+  double stiffness = 0;
+  ReferenceAngle reference = ReferenceAngle::initial;
+};
+struct VolumeConfig { double stiffness = 0; };
+struct AreaConfig { double stiffness = 0; };
+struct SurfaceTensionConfig {
+  double sigma = 0;
+  double mesh_control = 0;  ///< stiffness of the tangential springs that keep the mesh even; 0 means a fraction of sigma
+};
+struct PotentialsConfig {
+  std::optional<EdgeConfig> edge;
+  std::optional<BendingConfig> bending;
+  std::optional<VolumeConfig> volume;
+  std::optional<AreaConfig> area;        ///< per face
+  std::optional<AreaConfig> total_area;
+  std::optional<SurfaceTensionConfig> surface_tension;
+};
+
+enum class MotionKind { fixed, deformable };
+enum class CouplingKind { one_way };
+struct BodyConfig {
+  std::string name;
+  SurfaceSpec surface;
+  Vec3 center{0, 0, 0};
+  MotionKind motion = MotionKind::deformable;
+  CouplingKind coupling = CouplingKind::one_way;
+  double mass_per_vertex = 1.0;
+  double damping = 0.0;          ///< force = -damping * velocity of the vertex
+  std::optional<int> substeps;   ///< within a fluid step; else found from the stability limit
+  TractionConfig traction;
+  PotentialsConfig potentials;
+};
+
+struct HistoryConfig { long every = 10; };
+struct SeriesConfig {
+  std::optional<double> interval;  ///< in time
+  std::optional<long> every;       ///< in steps; neither: not written
+};
+struct OutputConfig {
+  HistoryConfig history;
+  SeriesConfig fields;
+  SeriesConfig surfaces;
+};
+
+struct CaseConfig {
+  std::string title = "untitled";
+  std::filesystem::path folder;  ///< of the case file; relative paths start here
+  std::filesystem::path file;
+  BoxConfig box;
+  FluidConfig fluid;
+  ForcingConfig forcing;
+  BoundaryConfig boundary;
+  InitialConfig initial;
+  TimeConfig time;
+  std::vector<BodyConfig> bodies;
+  OutputConfig output;
+};
+
+}  // namespace pliant
