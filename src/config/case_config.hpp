@@ -2,6 +2,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <variant>
@@ -143,6 +144,7 @@ struct CaseConfig {
   std::string title = "untitled";
   std::filesystem::path folder;  ///< of the case file; relative paths start here
   std::filesystem::path file;
+  std::map<std::string, std::string> origins;  ///< key path to where it was set: "case.toml:12" or "--set ..."
   BoxConfig box;
   FluidConfig fluid;
   ForcingConfig forcing;
