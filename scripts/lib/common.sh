@@ -1,6 +1,7 @@
 # Sourced by the other scripts: where the repository is, how Open MPI shall behave, how many jobs fit, which Python to use.
 # shellcheck shell=bash
 
+# shellcheck disable=SC2034  # used by the scripts that source this
 repository="$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd)"
 
 # A value that the caller has set stays.
