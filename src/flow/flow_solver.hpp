@@ -1,0 +1,91 @@
+#pragma once
+#include <functional>
+#include <memory>
+
+#include "config/case_config.hpp"
+#include "core/timer.hpp"
+#include "field/field.hpp"
+
+namespace pliant {
+
+/// The fluid's unknowns. Ghosts are filled at every moment a caller can see.
+struct FlowState {
+  explicit FlowState(const Grid& grid) : u(grid), v(grid), w(grid), p(grid) {}
+  Field<FaceX> u;
+  Field<FaceY> v;
+  Field<FaceZ> w;
+  Field<Center> p;  ///< pressure over density
+};
+
+/// The coefficients of one Runge-Kutta substep (numerics.md, section 1).
+struct Substep {
+  int index;
+  double gamma, rho, alpha;
+};
+
+/// Called between the prediction and the projection of a substep: the place of the immersed boundary, which changes the
+/// predicted velocity.
+using PredictedFlowHook = std::function<void(const Substep&, double dt, View<FaceX>, View<FaceY>, View<FaceZ>)>;
+
+/// What the flow solver needs to know of a case.
+struct FlowParameters {
+  double density = 1.0;
+  double viscosity = 1.0;  ///< kinematic
+  ViscousMode viscous = ViscousMode::implicit;
+  BoundaryConfig boundary;
+  ForcingConfig forcing;
+};
+
+/// Advances the incompressible Navier-Stokes equations in time: three-substep Runge-Kutta, staggered second-order
+/// differences, direct projection.
+class FlowSolver {
+ public:
+  /// Collective. Allocates everything a step needs.
+  FlowSolver(const Grid& grid, const FlowParameters& parameters);
+  ~FlowSolver();
+  FlowSolver(FlowSolver&&) noexcept;
+
+  const Grid& grid() const;
+  const FlowParameters& parameters() const;
+  FlowState& state();
+  const FlowState& state() const;
+
+  /// Fills the ghosts of the state, after a caller has changed its interior (an initial field, a restart).
+  void fill_ghosts();
+  /// Makes the velocity of the state solenoidal (used once, after an initial field that is not).
+  void project_initial();
+
+  /// One full step. Collective. Leaves the divergence at round-off and all ghosts filled.
+  void advance(double dt, const PredictedFlowHook& hook = nullptr);
+
+  /// max over cells of |u|/dx + |v|/dy + |w|/dz: the Courant number is dt times this. Collective.
+  double convective_rate() const;
+  /// Largest step of the explicitly treated viscous terms; infinity if there are none.
+  double viscous_step_limit() const;
+  /// Largest absolute divergence over the cells. Collective.
+  double largest_divergence() const;
+  /// Kinetic energy per unit volume of the box, density included. Collective.
+  double kinetic_energy() const;
+  /// Mean velocity of the box. Collective.
+  Vec3 bulk_velocity() const;
+  /// The acceleration that the constant-mass-flux forcing applied in the last step; 0 if there is none.
+  double bulk_forcing() const;
+
+  PhaseTimer& timer();
+  std::size_t bytes() const;  ///< of this rank's arrays and tables
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// The Courant number up to which the scheme is stable on its own, for checks of the input: sqrt(3).
+inline constexpr double largest_stable_cfl = 1.7320508;
+
+/// Sets the state of a solver to an initial flow, ghosts included. Collective. `wall` velocities give Couette its profile.
+void set_initial_flow(FlowSolver& solver, const InitialConfig& initial);
+
+/// The time-step limit of the explicitly treated viscous terms, without building a solver; infinity if none are.
+double viscous_step_limit(const Grid& grid, double kinematic_viscosity, ViscousMode mode);
+
+}  // namespace pliant
