@@ -1,0 +1,41 @@
+#pragma once
+#include <filesystem>
+#include <set>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "config/key_table.hpp"
+
+namespace pliant {
+
+/// One value of a case with the place it came from.
+struct Entry {
+  std::string path;    ///< of the key, within its scope
+  Json value;
+  std::string origin;  ///< "case.toml:12" or "--set fluid.viscosity=0.5"
+};
+
+/// The entries outside [[body]], or those of one body.
+struct Scope {
+  std::string prefix;  ///< "" or "body.drop."
+  std::string origin;  ///< where the scope begins
+  std::vector<Entry> entries;
+  std::set<std::string> sections;  ///< tables that were written, even empty ones
+
+  const Entry* find(const std::string& path) const;
+};
+
+/// A case file as a flat list of entries: shorthands written out, unknown keys reported, values not yet looked at.
+struct CaseDocument {
+  std::filesystem::path file;
+  Scope root;
+  std::vector<Scope> bodies;
+  std::vector<std::string> problems;
+};
+
+/// Reads `file` and lays each "key.path=value" of `overrides` over it. Throws InputError when the file cannot be read
+/// or is not TOML; everything else that is wrong is listed in `problems`.
+CaseDocument read_document(const std::filesystem::path& file, std::span<const std::string> overrides);
+
+}  // namespace pliant

@@ -1,0 +1,193 @@
+#include "config/key_table.hpp"
+
+namespace pliant {
+namespace {
+using CaseKey = Key<CaseConfig>;
+
+/// The scheme is unstable beyond sqrt(3).
+constexpr Limits largest_cfl{.min = 0, .min_bound = Bound::exclusive, .max = 1.732};
+
+struct BoundaryWord {
+  std::string word;
+  BoundarySpec spec;
+};
+
+std::vector<BoundaryWord> boundary_words() {
+  return {{"periodic", PeriodicSide{}}, {"wall", WallSide{}}, {"free-slip", FreeSlipSide{}}};
+}
+
+CaseKey side_type_key(int side) {
+  CaseKey key;
+  key.path = "boundary." + side_names()[side] + ".type";
+  key.doc = "condition on this side";
+  key.type = "word";
+  for (const auto& known : boundary_words()) key.legal += (key.legal.empty() ? "\"" : ", \"") + known.word + "\"";
+  key.default_value = "periodic";
+  key.set = [side, legal = key.legal](CaseConfig& config, const Json& value) -> std::optional<std::string> {
+    if (!value.is_string()) return "must be one of " + legal + ", not " + describe_value(value);
+    for (const auto& known : boundary_words()) {
+      if (known.word == value.get<std::string>()) return config.boundary[side] = known.spec, std::nullopt;
+    }
+    return "unknown type \"" + value.get<std::string>() + "\"; known: " + legal;
+  };
+  key.get = [side](const CaseConfig& config) -> Json { return boundary_word(config.boundary[side]); };
+  return key;
+}
+
+CaseKey wall_velocity_key(int side) {
+  auto key = make_key<CaseConfig>(
+      {"boundary." + side_names()[side] + ".velocity", "velocity", "of the wall; no component normal to it"},
+      [side](auto& config) { auto* wall = std::get_if<WallSide>(&config.boundary[side]);
+                             return wall ? &wall->velocity : nullptr; });
+  key.default_value = Json::array({0.0, 0.0, 0.0});
+  return only_when<CaseConfig>(std::move(key), "the side's type is \"wall\"", [side](const CaseConfig& config) {
+    return std::holds_alternative<WallSide>(config.boundary[side]);
+  });
+}
+
+std::function<bool(const CaseConfig&)> flow_is(std::vector<InitialFlow> flows) {
+  return [flows](const CaseConfig& config) {
+    for (auto flow : flows) {
+      if (config.initial.flow == flow) return true;
+    }
+    return false;
+  };
+}
+
+std::string flow_condition(const std::vector<InitialFlow>& flows) {
+  std::string text;
+  for (auto flow : flows) text += (text.empty() ? "initial.flow is \"" : " or \"") + word_for(flow) + "\"";
+  return text;
+}
+
+CaseKey for_flows(CaseKey key, const std::vector<InitialFlow>& flows) {
+  return only_when<CaseConfig>(std::move(key), flow_condition(flows), flow_is(flows));
+}
+
+void add_box(std::vector<CaseKey>& keys) {
+  const auto stretched = [](const CaseConfig& c) { return c.box.stretching_z.law != StretchingLaw::uniform; };
+  keys.push_back(make_key<CaseConfig>({"box.size", "length", "extent of the box in x, y, z"},
+                                      [](auto& c) { return &c.box.size; }, positive()));
+  keys.push_back(make_key<CaseConfig>({"box.origin", "length", "corner of the box with the smallest coordinates"},
+                                      [](auto& c) { return &c.box.origin; }));
+  keys.push_back(make_key<CaseConfig>({"box.cells", "", "number of cells in x, y, z"},
+                                      [](auto& c) { return &c.box.cells; }, at_least(1)));
+  keys.push_back(make_key<CaseConfig>({"box.stretching.z.law", "", "how the cells are spread along z"},
+                                      [](auto& c) { return &c.box.stretching_z.law; }));
+  keys.push_back(only_when<CaseConfig>(
+      make_key<CaseConfig>({"box.stretching.z.strength", "", "larger packs more cells at both ends"},
+                           [](auto& c) { return &c.box.stretching_z.strength; }, positive()),
+      "box.stretching.z.law is \"tanh\"", stretched));
+}
+
+void add_fluid(std::vector<CaseKey>& keys) {
+  keys.push_back(make_key<CaseConfig>({"fluid.density", "mass / length^3", "of the fluid"},
+                                      [](auto& c) { return &c.fluid.density; }, positive()));
+  keys.push_back(make_key<CaseConfig>({"fluid.viscosity", "mass / (length time)", "dynamic viscosity of the fluid"},
+                                      [](auto& c) { return &c.fluid.viscosity; }, at_least(0)));
+  keys.push_back(make_key<CaseConfig>({"forcing.acceleration", "length / time^2", "force per unit mass of fluid"},
+                                      [](auto& c) { return &c.forcing.acceleration; }));
+  keys.push_back(required(make_key<CaseConfig>(
+      {"forcing.bulk_velocity.axis", "", "direction of a constant mass flux; must be periodic"},
+      [](auto& c) { auto* bulk = member(c.forcing.bulk_velocity); return bulk ? &bulk->axis : nullptr; })));
+  keys.push_back(required(make_key<CaseConfig>(
+      {"forcing.bulk_velocity.value", "velocity", "mean velocity that the constant mass flux keeps"},
+      [](auto& c) { auto* bulk = member(c.forcing.bulk_velocity); return bulk ? &bulk->value : nullptr; })));
+}
+
+void add_boundary(std::vector<CaseKey>& keys) {
+  for (int side = 0; side < 6; ++side) {
+    keys.push_back(side_type_key(side));
+    keys.push_back(wall_velocity_key(side));
+  }
+}
+
+void add_initial(std::vector<CaseKey>& keys) {
+  using enum InitialFlow;
+  keys.push_back(make_key<CaseConfig>({"initial.flow", "", "the flow at time 0"},
+                                      [](auto& c) { return &c.initial.flow; }));
+  keys.push_back(for_flows(
+      make_key<CaseConfig>({"initial.velocity", "velocity", "uniform: the velocity; perturbed: the mean velocity"},
+                           [](auto& c) { return &c.initial.velocity; }),
+      {uniform, perturbed}));
+  keys.push_back(for_flows(
+      make_key<CaseConfig>({"initial.amplitude", "velocity",
+                            "poiseuille: velocity in the middle; taylor-green, perturbed: velocity scale"},
+                           [](auto& c) { return &c.initial.amplitude; }),
+      {poiseuille, taylor_green, perturbed}));
+  keys.push_back(for_flows(make_key<CaseConfig>({"initial.direction", "", "direction of the flow"},
+                                                [](auto& c) { return &c.initial.direction; }),
+                           {poiseuille}));
+  keys.push_back(for_flows(
+      make_key<CaseConfig>({"initial.normal", "",
+                            "couette, poiseuille: normal of the walls; taylor-green: of the plane of the vortices"},
+                           [](auto& c) { return &c.initial.normal; }),
+      {couette, poiseuille, taylor_green}));
+  keys.push_back(for_flows(make_key<CaseConfig>({"initial.seed", "", "of the random perturbation"},
+                                                [](auto& c) { return &c.initial.seed; }, at_least(0)),
+                           {perturbed}));
+}
+
+void add_time(std::vector<CaseKey>& keys) {
+  const auto adaptive = [](const CaseConfig& c) { return !c.time.step; };
+  keys.push_back(make_key<CaseConfig>({"time.end", "time", "the run ends at this time"},
+                                      [](auto& c) { return &c.time.end; }, at_least(0)));
+  keys.push_back(make_key<CaseConfig>({"time.max_steps", "", "the run ends after so many steps, if that is earlier"},
+                                      [](auto& c) { return &c.time.max_steps; }, at_least(0)));
+  keys.push_back(instead_of(make_key<CaseConfig>({"time.step", "time", "fixed time step; else the step follows cfl"},
+                                                 [](auto& c) { return &c.time.step; }, positive()),
+                            {"time.cfl", "time.max_step"}));
+  keys.push_back(only_when<CaseConfig>(
+      make_key<CaseConfig>({"time.cfl", "", "the step keeps the largest sum of |u| dt / dx over the directions at this"},
+                           [](auto& c) { return &c.time.cfl; }, largest_cfl),
+      "time.step is not given", adaptive));
+  keys.push_back(only_when<CaseConfig>(
+      make_key<CaseConfig>({"time.max_step", "time", "upper bound on the step that follows cfl; 0: none"},
+                           [](auto& c) { return &c.time.max_step; }, at_least(0)),
+      "time.step is not given", adaptive));
+  keys.push_back(make_key<CaseConfig>({"time.viscous", "", "directions in which viscous terms are implicit"},
+                                      [](auto& c) { return &c.time.viscous; }));
+}
+
+template <class Access>
+void add_series(std::vector<CaseKey>& keys, const std::string& name, const std::string& what, Access series) {
+  keys.push_back(instead_of(
+      make_key<CaseConfig>({"output." + name + ".interval", "time", "time between two " + what},
+                           [series](auto& c) { return &series(c).interval; }, positive()),
+      {"output." + name + ".every"}));
+  keys.push_back(make_key<CaseConfig>({"output." + name + ".every", "steps", "steps between two " + what},
+                                      [series](auto& c) { return &series(c).every; }, at_least(1)));
+}
+
+void add_output(std::vector<CaseKey>& keys) {
+  keys.push_back(make_key<CaseConfig>({"output.history.every", "steps", "steps between two lines of the CSV files"},
+                                      [](auto& c) { return &c.output.history.every; }, at_least(1)));
+  add_series(keys, "fields", "outputs of velocity and pressure",
+             [](auto& c) -> auto& { return c.output.fields; });
+  add_series(keys, "surfaces", "outputs of the bodies' surfaces",
+             [](auto& c) -> auto& { return c.output.surfaces; });
+}
+}  // namespace
+
+std::array<std::string, 6> side_names() { return {"x-", "x+", "y-", "y+", "z-", "z+"}; }
+
+std::string boundary_word(const BoundarySpec& spec) {
+  for (const auto& known : boundary_words()) {
+    if (known.spec.index() == spec.index()) return known.word;
+  }
+  return {};
+}
+
+std::vector<Key<CaseConfig>> case_keys() {
+  std::vector<CaseKey> keys;
+  keys.push_back(make_key<CaseConfig>({"title", "", "one line that names the case"}, [](auto& c) { return &c.title; }));
+  add_box(keys);
+  add_fluid(keys);
+  add_boundary(keys);
+  add_initial(keys);
+  add_time(keys);
+  add_output(keys);
+  return keys;
+}
+
+}  // namespace pliant

@@ -1,0 +1,33 @@
+#pragma once
+#include <toml++/toml.h>
+
+#include <functional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "config/case_document.hpp"
+
+namespace pliant {
+
+/// The paths that a scope knows: keys, and the tables above them.
+struct KnownPaths {
+  std::set<std::string> keys, sections;
+  std::vector<std::string> names;  ///< what may be suggested for an unknown key
+
+  static KnownPaths of_case();
+  static KnownPaths of_body();
+};
+
+/// Names the place of a node for messages.
+using OriginOf = std::function<std::string(const toml::node&)>;
+
+/// Appends the entries of `table` to `scope`, writing out the shorthands of [boundary]. Unknown keys go to `problems`.
+/// The array "body" of a case is left to the caller.
+void flatten(const toml::table& table, const KnownPaths& known, const OriginOf& origin_of, Scope& scope,
+             std::vector<std::string>& problems);
+
+/// A TOML value as JSON; tables become objects.
+Json to_json(const toml::node& node);
+
+}  // namespace pliant

@@ -1,0 +1,22 @@
+#pragma once
+#include <vector>
+
+#include "config/case_config.hpp"
+#include "config/key.hpp"
+
+namespace pliant {
+
+/// Every key of a case file outside [[body]], in the order of the docs. The order matters to the reader as well: a key
+/// that chooses an alternative (boundary type, surface shape) stands before the keys of that alternative.
+std::vector<Key<CaseConfig>> case_keys();
+
+/// Every key of one [[body]].
+std::vector<Key<BodyConfig>> body_keys();
+
+/// The names of the sides, in the order of BoundaryConfig: "x-", "x+", ... "z+".
+std::array<std::string, 6> side_names();
+
+/// The word for a boundary condition: "periodic", "wall", "free-slip".
+std::string boundary_word(const BoundarySpec& spec);
+
+}  // namespace pliant

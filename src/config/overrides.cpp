@@ -1,0 +1,123 @@
+#include "config/overrides.hpp"
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+
+#include "config/edit_distance.hpp"
+#include "config/flatten.hpp"
+
+namespace pliant {
+namespace {
+/// The parts of a dotted key; quotes around a part are dropped.
+std::vector<std::string> split_key(std::string_view key) {
+  std::vector<std::string> parts(1);
+  char quote = 0;
+  for (char c : key) {
+    if (quote ? c == quote : (c == '"' || c == '\'')) quote = quote ? 0 : c;
+    else if (c == '.' && !quote) parts.emplace_back();
+    else if (quote || !std::isspace(static_cast<unsigned char>(c))) parts.back() += c;
+  }
+  return parts;
+}
+
+/// {a: {b: value}} for the parts a, b.
+toml::table nest(std::span<const std::string> parts, const toml::node& value) {
+  toml::table table;
+  if (parts.size() == 1) table.insert_or_assign(parts[0], value);
+  else table.insert_or_assign(parts[0], nest(parts.subspan(1), value));
+  return table;
+}
+
+bool is_bare_text(std::string_view text) {
+  return !text.empty() && text.find_first_of("\"'[]{}\n") == std::string_view::npos;
+}
+
+/// The value as a table with the one key "value".
+std::optional<toml::table> parse_value(const std::string& text) {
+  try {
+    auto table = toml::parse("value = " + text);
+    if (table.size() == 1 && table.contains("value")) return table;
+  } catch (const toml::parse_error&) {
+  }
+  if (is_bare_text(text)) return toml::table{{"value", text}};
+  return std::nullopt;
+}
+
+template <class Config>
+std::vector<std::string> other_ways_of_saying(const std::string& path, const std::vector<Key<Config>>& keys) {
+  std::vector<std::string> paths;
+  for (const auto& key : keys) {
+    const bool excludes_path = std::count(key.excludes.begin(), key.excludes.end(), path) > 0;
+    if (key.path == path) paths.insert(paths.end(), key.excludes.begin(), key.excludes.end());
+    if (excludes_path) paths.push_back(key.path);
+  }
+  return paths;
+}
+
+template <class Config>
+void lay_over(Scope& scope, const Scope& over, const std::vector<Key<Config>>& keys) {
+  for (const auto& entry : over.entries) {
+    const auto others = other_ways_of_saying(entry.path, keys);
+    std::erase_if(scope.entries, [&](const Entry& old) {
+      return old.path == entry.path || std::count(others.begin(), others.end(), old.path) > 0;
+    });
+  }
+  scope.entries.insert(scope.entries.end(), over.entries.begin(), over.entries.end());
+  scope.sections.insert(over.sections.begin(), over.sections.end());
+}
+
+Scope* find_body(CaseDocument& document, const std::string& name) {
+  for (auto& body : document.bodies) {
+    const auto* entry = body.find("name");
+    if (entry && entry->value == name) return &body;
+  }
+  return nullptr;
+}
+
+std::string known_bodies(const CaseDocument& document) {
+  std::string names;
+  for (const auto& body : document.bodies) {
+    if (const auto* entry = body.find("name"); entry && entry->value.is_string())
+      names += (names.empty() ? "" : ", ") + entry->value.get<std::string>();
+  }
+  return names.empty() ? "the case has no body" : "the case has: " + names;
+}
+}  // namespace
+
+void apply_override(const std::string& text, CaseDocument& document) {
+  const auto origin = "--set " + text;
+  const auto equals = text.find('=');
+  if (equals == std::string::npos || equals == 0) {
+    document.problems.push_back(fmt::format("{}: write it as key.path=value", origin));
+    return;
+  }
+  const auto parts = split_key(std::string_view(text).substr(0, equals));
+  const auto value = parse_value(text.substr(equals + 1));
+  const bool has_empty_part = std::any_of(parts.begin(), parts.end(), [](const auto& part) { return part.empty(); });
+  if (!value || has_empty_part) {
+    document.problems.push_back(fmt::format("{}: {}", origin,
+                                            value ? "the key has an empty part; write it as key.path=value"
+                                                  : "the value is not valid TOML; put strings in quotes"));
+    return;
+  }
+  const OriginOf origin_of = [&](const toml::node&) { return origin; };
+  const toml::node& node = *value->get("value");
+  Scope over;
+  if (parts[0] != "body") {
+    flatten(nest(parts, node), KnownPaths::of_case(), origin_of, over, document.problems);
+    return lay_over(document.root, over, case_keys());
+  }
+  auto* body = parts.size() < 3 ? nullptr : find_body(document, parts[1]);
+  if (!body) {
+    document.problems.push_back(fmt::format("{}: write body.NAME.key=value with the name of a body; {}", origin,
+                                            known_bodies(document)));
+    return;
+  }
+  over.prefix = body->prefix;
+  flatten(nest(std::span(parts).subspan(2), node), KnownPaths::of_body(), origin_of, over, document.problems);
+  lay_over(*body, over, body_keys());
+}
+
+}  // namespace pliant

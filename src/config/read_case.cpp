@@ -1,0 +1,109 @@
+#include "config/read_case.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "config/case_document.hpp"
+#include "config/validate.hpp"
+#include "core/error.hpp"
+
+namespace pliant {
+namespace {
+class Reader {
+ public:
+  Reader(CaseDocument document, bool overridden) : document_(std::move(document)), overridden_(overridden) {
+    problems_ = std::move(document_.problems);
+  }
+
+  CaseConfig read() {
+    CaseConfig config;
+    config.file = document_.file;
+    config.folder = document_.file.has_parent_path() ? document_.file.parent_path() : ".";
+    origins_ = &config.origins;
+    apply(case_keys(), document_.root, config);
+    for (const auto& scope : document_.bodies) {
+      BodyConfig body;
+      apply(body_keys(), scope, body);
+      if (!scope.find("surface.shape") && !scope.find("surface.file"))
+        complain(scope, "surface", scope.origin,
+                 "is missing; write surface = { shape = \"sphere\", ... } or surface = { file = \"...\" }");
+      config.origins.emplace(scope.prefix.substr(0, scope.prefix.size() - 1), scope.origin);
+      config.bodies.push_back(std::move(body));
+    }
+    return config;
+  }
+
+  std::vector<std::string>& problems() { return problems_; }
+  const std::set<std::string>& suspect() const { return suspect_; }
+
+ private:
+  void complain(const Scope& scope, const std::string& path, const std::string& origin, const std::string& what) {
+    suspect_.insert(scope.prefix + path);
+    problems_.push_back(fmt::format("{}: {}{} {}", origin, scope.prefix, path, what));
+  }
+
+  template <class Config>
+  void apply(const std::vector<Key<Config>>& keys, const Scope& scope, Config& config) {
+    for (const auto& key : keys) {
+      const auto* entry = scope.find(key.path);
+      if (!entry) continue;
+      origins_->emplace(scope.prefix + key.path, entry->origin);
+      if (auto problem = key.set(config, entry->value)) complain(scope, key.path, entry->origin, *problem);
+    }
+    for (const auto& key : keys) {
+      check_meaning(key, keys, scope, config);
+      check_presence(key, scope);
+    }
+  }
+
+  template <class Config>
+  void check_meaning(const Key<Config>& key, const std::vector<Key<Config>>& keys, const Scope& scope,
+                     const Config& config) {
+    const auto* entry = scope.find(key.path);
+    if (!entry) return;
+    for (const auto& rival : keys) {
+      const auto* second = scope.find(rival.path);
+      if (!second || std::count(rival.excludes.begin(), rival.excludes.end(), key.path) == 0) continue;
+      return complain(scope, key.path, entry->origin,
+                      fmt::format("and {} ({}) exclude each other; give one of them", rival.path, second->origin));
+    }
+    // An override that changes a choice makes keys of the file meaningless; that is not the file's fault.
+    const bool forgiven = overridden_ && entry->origin.rfind("--set", 0) != 0;
+    if (key.applies && !key.applies(config) && !forgiven)
+      complain(scope, key.path, entry->origin, fmt::format("has no effect: it counts only when {}", key.condition));
+  }
+
+  template <class Config>
+  void check_presence(const Key<Config>& key, const Scope& scope) {
+    if (key.presence != Presence::required || scope.find(key.path)) return;
+    const auto dot = key.path.rfind('.');
+    const bool asked = dot == std::string::npos || scope.sections.count(key.path.substr(0, dot)) > 0;
+    if (asked) complain(scope, key.path, scope.origin.empty() ? document_.file.string() : scope.origin,
+                        fmt::format("is missing: {} ({})", key.doc, key.type));
+  }
+
+  CaseDocument document_;
+  bool overridden_;
+  std::vector<std::string> problems_;
+  std::set<std::string> suspect_;
+  std::map<std::string, std::string>* origins_ = nullptr;
+};
+}  // namespace
+
+std::filesystem::path find_case_file(const std::filesystem::path& path) {
+  std::error_code error;
+  return std::filesystem::is_directory(path, error) ? path / "case.toml" : path;
+}
+
+CaseConfig read_case(const std::filesystem::path& path, std::span<const std::string> overrides, int ranks) {
+  Reader reader(read_document(find_case_file(path), overrides), !overrides.empty());
+  auto config = reader.read();
+  auto problems = std::move(reader.problems());
+  for (auto& problem : validate(config, ranks, reader.suspect())) problems.push_back(std::move(problem));
+  if (!problems.empty()) throw InputError(std::move(problems));
+  return config;
+}
+
+}  // namespace pliant

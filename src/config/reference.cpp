@@ -1,0 +1,66 @@
+#include "config/reference.hpp"
+
+#include <fmt/format.h>
+
+#include "config/key_table.hpp"
+
+namespace pliant {
+namespace {
+std::string text_of_default(const Json& value, Presence presence) {
+  if (presence == Presence::required) return "required";
+  return value.is_null() ? "none" : fmt::format("`{}`", value.dump());
+}
+
+std::string or_dash(const std::string& text) { return text.empty() ? "-" : text; }
+
+template <class Config>
+std::string row(const Key<Config>& key, const std::string& path) {
+  std::string doc = key.doc;
+  if (!key.condition.empty()) doc += fmt::format(". Only when {}", key.condition);
+  if (!key.excludes.empty()) {
+    std::string others;
+    for (const auto& other : key.excludes) others += (others.empty() ? "`" : ", `") + other + "`";
+    doc += ". Not together with " + others;
+  }
+  const auto legal = key.legal.empty() ? (key.type.find("number") != std::string::npos ? "finite" : "any") : key.legal;
+  return fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", path, key.type, or_dash(key.unit),
+                     text_of_default(key.default_value, key.presence), legal, doc);
+}
+
+std::string table_head() {
+  return "| key | type | unit | default | legal | what it is |\n|---|---|---|---|---|---|\n";
+}
+
+std::string section_of(const std::string& path) { return path.substr(0, path.find('.')); }
+}  // namespace
+
+std::string case_reference() {
+  std::string text =
+      "# The case file: every key\n\n"
+      "Written by `pliant reference` from the table that the reader uses; do not edit by hand.\n\n"
+      "A case is a TOML file. Unknown keys are errors. Integers are accepted where numbers are asked. Units are any\n"
+      "consistent set; the unit column gives the dimension. On the command line `--set key.path=value` overrides a key;\n"
+      "bodies go by name: `--set body.drop.potentials.edge.stiffness=300`.\n";
+  std::string section;
+  for (const auto& key : case_keys()) {
+    auto path = key.path;
+    if (section_of(path) != section) {
+      section = section_of(path);
+      text += path == section ? "\n## The case\n\n" : fmt::format("\n## [{}]\n\n", section);
+      if (section == "boundary")
+        text += "SIDE is one of `x-`, `x+`, `y-`, `y+`, `z-`, `z+` (in quotes: `\"z+\"`), or `x`, `y`, `z` for both "
+                "sides\nof a direction. A word alone, `x = \"periodic\"`, is short for `x = { type = \"periodic\" }`. "
+                "Both sides of a\ndirection are periodic, or neither.\n\n";
+      text += table_head();
+    }
+    if (section == "boundary" && path.find("x-") == std::string::npos) continue;
+    if (section == "boundary") path.replace(path.find("x-"), 2, "SIDE");
+    text += row(key, path);
+  }
+  text += "\n## [[body]]\n\nOne for each body; the keys under `potentials` are written under `[body.potentials]`, and a "
+          "potential that is not\nwritten is not there.\n\n" + table_head();
+  for (const auto& key : body_keys()) text += row(key, key.path);
+  return text;
+}
+
+}  // namespace pliant

@@ -1,0 +1,160 @@
+#include "config/validate.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "config/key_table.hpp"
+
+namespace pliant {
+namespace {
+std::string name_of(int direction) { return std::string(1, "xyz"[direction]); }
+int index_of(Axis axis) { return static_cast<int>(axis); }
+
+class Validator {
+ public:
+  Validator(const CaseConfig& config, const std::set<std::string>& suspect) : config_(config), suspect_(suspect) {}
+
+  std::vector<std::string> run(int ranks) {
+    check_sides();
+    check_ranks(ranks);
+    check_forcing();
+    check_initial_flow();
+    check_bodies();
+    return std::move(problems_);
+  }
+
+ private:
+  bool trusted(std::initializer_list<std::string> keys) const {
+    return std::none_of(keys.begin(), keys.end(), [&](const std::string& key) { return suspect_.count(key) > 0; });
+  }
+  void complain(const std::string& key, const std::string& what) {
+    problems_.push_back(place_of(config_, key) + " " + what);
+  }
+
+  void check_sides() {
+    for (int d = 0; d < 3; ++d) {
+      const auto lower = "boundary." + name_of(d) + "-", upper = "boundary." + name_of(d) + "+";
+      if (!trusted({lower + ".type", upper + ".type"})) continue;
+      const bool first = std::holds_alternative<PeriodicSide>(config_.boundary[2 * d]);
+      const bool second = std::holds_alternative<PeriodicSide>(config_.boundary[2 * d + 1]);
+      const auto& bounded = first ? upper : lower;
+      if (first != second)
+        complain(bounded + ".type",
+                 fmt::format("is \"{}\" but {} is periodic; make both sides of {} periodic, or give {} a condition",
+                             boundary_word(config_.boundary[first ? 2 * d + 1 : 2 * d]), first ? lower : upper,
+                             name_of(d), first ? lower : upper));
+    }
+    for (int side = 0; side < 6; ++side) {
+      const auto key = "boundary." + side_names()[side] + ".velocity";
+      const auto* wall = std::get_if<WallSide>(&config_.boundary[side]);
+      if (!wall || !trusted({key}) || wall->velocity[side / 2] == 0) continue;
+      complain(key, fmt::format("has the component {} along {}, normal to the wall; it must be 0",
+                                wall->velocity[side / 2], name_of(side / 2)));
+    }
+  }
+
+  void check_ranks(int ranks) {
+    const int planes = config_.box.cells[2];
+    if (!trusted({"box.cells"}) || ranks <= planes) return;
+    complain("box.cells", fmt::format("has {} planes in z, too few for {} ranks; use at most {} ranks (mpirun -n {}) or "
+                                      "more cells in z", planes, ranks, planes, planes));
+  }
+
+  void check_forcing() {
+    const auto& bulk = config_.forcing.bulk_velocity;
+    if (!bulk || !trusted({"forcing.bulk_velocity.axis"})) return;
+    if (is_periodic(config_.boundary, index_of(bulk->axis))) return;
+    complain("forcing.bulk_velocity.axis",
+             fmt::format("is {0}, but {0} is not periodic; a mass flux can be kept along a periodic direction only",
+                         word_for(bulk->axis)));
+  }
+
+  void check_initial_flow() {
+    using enum InitialFlow;
+    const auto& initial = config_.initial;
+    if (!trusted({"initial.flow", "initial.normal", "initial.direction"})) return;
+    const int normal = index_of(initial.normal);
+    const auto word = word_for(initial.flow);
+    if ((initial.flow == couette || initial.flow == poiseuille) && !has_walls(config_.boundary, normal))
+      complain("initial.flow", fmt::format("\"{}\" needs walls at both sides of {}; set boundary.{}, or initial.normal "
+                                           "to the direction that has walls", word, name_of(normal), name_of(normal)));
+    if (initial.flow == poiseuille && initial.direction == initial.normal)
+      complain("initial.direction", fmt::format("is {0}, and so is initial.normal; the flow must run along the walls",
+                                                word_for(initial.direction)));
+    if (initial.flow != taylor_green) return;
+    for (int d = 0; d < 3; ++d) {
+      const bool bounded = !is_periodic(config_.boundary, d);
+      if (d != normal && bounded)
+        complain("initial.flow", fmt::format("\"{}\" with initial.normal = \"{}\" needs a periodic {}; set boundary.{} "
+                                             "= \"periodic\"", word, name_of(normal), name_of(d), name_of(d)));
+    }
+  }
+
+  void check_bodies() {
+    std::map<std::string, std::size_t> seen;
+    for (std::size_t i = 0; i < config_.bodies.size(); ++i) {
+      const auto& body = config_.bodies[i];
+      const auto prefix = "body." + body.name;
+      if (body.name.empty()) continue;
+      if (!seen.emplace(body.name, i).second)
+        complain(prefix + ".name", fmt::format("is used by more than one body; give each body its own name"));
+      const bool plain = std::all_of(body.name.begin(), body.name.end(), [](unsigned char c) {
+        return std::isalnum(c) || c == '_' || c == '-';
+      });
+      if (!plain)
+        complain(prefix + ".name", "names files: use only letters, digits, - and _");
+      const auto* sphere = std::get_if<SphereSurface>(&body.surface);
+      const bool known = trusted({prefix + ".surface", prefix + ".surface.shape", prefix + ".surface.radius",
+                                  prefix + ".surface.diameter", prefix + ".center", "box.size", "box.origin"});
+      if (!sphere || !known) continue;
+      const Vec3 reach{sphere->radius, sphere->radius, sphere->radius};
+      check_body_extent(config_, i, body.center - reach, body.center + reach, problems_);
+    }
+  }
+
+  const CaseConfig& config_;
+  const std::set<std::string>& suspect_;
+  std::vector<std::string> problems_;
+};
+}  // namespace
+
+std::string place_of(const CaseConfig& config, const std::string& key) {
+  const auto found = config.origins.find(key);
+  if (found != config.origins.end()) return found->second + ": " + key;
+  return config.file.string() + ": " + key;
+}
+
+bool is_periodic(const BoundaryConfig& boundary, int direction) {
+  return std::holds_alternative<PeriodicSide>(boundary[2 * direction]) &&
+         std::holds_alternative<PeriodicSide>(boundary[2 * direction + 1]);
+}
+
+bool has_walls(const BoundaryConfig& boundary, int direction) {
+  return std::holds_alternative<WallSide>(boundary[2 * direction]) &&
+         std::holds_alternative<WallSide>(boundary[2 * direction + 1]);
+}
+
+void check_body_extent(const CaseConfig& config, std::size_t index, Vec3 lower, Vec3 upper,
+                       std::vector<std::string>& problems) {
+  const auto place = place_of(config, "body." + config.bodies[index].name);
+  const auto& box = config.box;
+  for (int d = 0; d < 3; ++d) {
+    const double begin = box.origin[d], end = begin + box.size[d];
+    if (is_periodic(config.boundary, d)) {
+      if (upper[d] - lower[d] > box.size[d])
+        problems.push_back(fmt::format("{} is {} long along {}, more than the periodic box ({}); make the box larger or "
+                                       "the body smaller", place, upper[d] - lower[d], name_of(d), box.size[d]));
+    } else if (lower[d] < begin || upper[d] > end) {
+      problems.push_back(fmt::format("{} reaches from {} to {} along {}, outside the box ({} to {}); move its center or "
+                                     "make the box larger", place, lower[d], upper[d], name_of(d), begin, end));
+    }
+  }
+}
+
+std::vector<std::string> validate(const CaseConfig& config, int ranks, const std::set<std::string>& suspect) {
+  return Validator(config, suspect).run(ranks);
+}
+
+}  // namespace pliant

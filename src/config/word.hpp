@@ -1,0 +1,55 @@
+#pragma once
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "config/case_config.hpp"
+
+namespace pliant {
+
+/// The words of the case file for the values of an enumeration, in the order of the docs.
+template <class E>
+using Words = std::vector<std::pair<std::string, E>>;
+
+template <class E>
+Words<E> words_of();
+
+template <>
+Words<Axis> words_of<Axis>();
+template <>
+Words<StretchingLaw> words_of<StretchingLaw>();
+template <>
+Words<InitialFlow> words_of<InitialFlow>();
+template <>
+Words<ViscousMode> words_of<ViscousMode>();
+template <>
+Words<TractionForm> words_of<TractionForm>();
+template <>
+Words<ReferenceAngle> words_of<ReferenceAngle>();
+template <>
+Words<MotionKind> words_of<MotionKind>();
+template <>
+Words<CouplingKind> words_of<CouplingKind>();
+
+/// The word for a value.
+template <class E>
+std::string word_for(E value) {
+  for (const auto& [word, meaning] : words_of<E>()) {
+    if (meaning == value) return word;
+  }
+  return {};
+}
+
+/// `"a", "b", "c"`.
+template <class E>
+std::string quoted_list(const Words<E>& words) {
+  std::string text;
+  for (const auto& entry : words) text += (text.empty() ? "\"" : ", \"") + entry.first + "\"";
+  return text;
+}
+
+inline std::string unknown_word(const std::string& word, const std::string& known) {
+  return "has the unknown value \"" + word + "\"; known: " + known;
+}
+
+}  // namespace pliant
