@@ -138,7 +138,7 @@ void add_time(std::vector<CaseKey>& keys) {
                                                  [](auto& c) { return &c.time.step; }, positive()),
                             {"time.cfl", "time.max_step"}));
   keys.push_back(only_when<CaseConfig>(
-      make_key<CaseConfig>({"time.cfl", "", "the step keeps the largest sum of |u| dt / dx over the directions at this"},
+      make_key<CaseConfig>({"time.cfl", "", "the step keeps the largest dt (u / dx + v / dy + w / dz) at this, by absolute values"},
                            [](auto& c) { return &c.time.cfl; }, largest_cfl),
       "time.step is not given", adaptive));
   keys.push_back(only_when<CaseConfig>(
