@@ -7,9 +7,9 @@ namespace pliant {
 
 /// The sides of the box that `bench flow` times.
 enum class BenchBoundary {
-  periodic,      ///< all three directions periodic
-  channel,       ///< x and y periodic, walls in z
-  closed_box,    ///< walls on all six sides
+  periodic,    ///< all three directions periodic
+  channel,     ///< x and y periodic, walls in z
+  closed_box,  ///< walls on all six sides
 };
 
 enum class ReportFormat { text, json };

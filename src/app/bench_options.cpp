@@ -36,7 +36,8 @@ void add_bench_command(CLI::App& app, Action& action) {
                              {"channel", BenchBoundary::channel},
                              {"closed", BenchBoundary::closed_box}},
                             "periodic, channel (walls in z) or closed (walls all around)");
-  flow->add_flag_callback("--json", [options] { options->format = ReportFormat::json; }, "Print JSON");
+  flow->add_flag_callback(
+      "--json", [options] { options->format = ReportFormat::json; }, "Print JSON");
   flow->callback([options, &action] { action = [options](const Communicator&) { return run_bench_flow(*options); }; });
 }
 

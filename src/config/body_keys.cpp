@@ -73,16 +73,27 @@ void add_surface(std::vector<BodyKey>& keys) {
   keys.push_back(shape_key());
   keys.push_back(for_spheres(make_key<BodyConfig>(
       {"surface.frequency", "", "each edge of the icosahedron is cut in so many parts"},
-      [](auto& b) { auto* s = std::get_if<SphereSurface>(&b.surface); return s ? &s->frequency : nullptr; },
+      [](auto& b) {
+        auto* s = std::get_if<SphereSurface>(&b.surface);
+        return s ? &s->frequency : nullptr;
+      },
       between(1, 1000))));
   keys.push_back(for_spheres(make_key<BodyConfig>(
       {"surface.radius", "length", "of the sphere"},
-      [](auto& b) { auto* s = std::get_if<SphereSurface>(&b.surface); return s ? &s->radius : nullptr; }, positive())));
+      [](auto& b) {
+        auto* s = std::get_if<SphereSurface>(&b.surface);
+        return s ? &s->radius : nullptr;
+      },
+      positive())));
   keys.push_back(diameter_key());
   keys.push_back(file_key());
   auto scale = make_key<BodyConfig>(
       {"surface.scale", "", "factor on the coordinates in the file"},
-      [](auto& b) { auto* s = std::get_if<FileSurface>(&b.surface); return s ? &s->scale : nullptr; }, positive());
+      [](auto& b) {
+        auto* s = std::get_if<FileSurface>(&b.surface);
+        return s ? &s->scale : nullptr;
+      },
+      positive());
   scale.default_value = FileSurface{}.scale;
   keys.push_back(only_when<BodyConfig>(std::move(scale), "surface.file is given", is_file));
 }
@@ -94,10 +105,12 @@ void add_motion(std::vector<BodyKey>& keys) {
   keys.push_back(make_key<BodyConfig>({"center", "length", "where the surface's origin is put"},
                                       [](auto& b) { return &b.center; }));
   keys.push_back(make_key<BodyConfig>({"motion", "", "how the body moves"}, [](auto& b) { return &b.motion; }));
-  keys.push_back(make_key<BodyConfig>({"coupling", "", "one-way: the flow moves the body, the body leaves the flow alone"},
-                                      [](auto& b) { return &b.coupling; }));
-  keys.push_back(deformable(make_key<BodyConfig>({"mass_per_vertex", "mass", "of each vertex in Newton's law"},
-                                                 [](auto& b) { return &b.mass_per_vertex; }, positive())));
+  keys.push_back(
+      make_key<BodyConfig>({"coupling", "", "one-way: the flow moves the body, the body leaves the flow alone"},
+                           [](auto& b) { return &b.coupling; }));
+  keys.push_back(deformable(make_key<BodyConfig>(
+      {"mass_per_vertex", "mass", "of each vertex in Newton's law"}, [](auto& b) { return &b.mass_per_vertex; },
+      positive())));
   keys.push_back(deformable(make_key<BodyConfig>(
       {"damping", "mass / time", "force of -damping times the velocity of a vertex"},
       [](auto& b) { return &b.damping; }, at_least(0))));
@@ -110,14 +123,14 @@ void add_traction(std::vector<BodyKey>& keys) {
   keys.push_back(make_key<BodyConfig>({"traction.form", "", "how the flow loads the surface"},
                                       [](auto& b) { return &b.traction.form; }));
   keys.push_back(only_when<BodyConfig>(
-      make_key<BodyConfig>({"traction.coefficient", "",
-                            "c_d in the drag c_d mu A / R of a vertex that stands for the area A"},
-                           [](auto& b) { return &b.traction.coefficient; }, positive()),
+      make_key<BodyConfig>(
+          {"traction.coefficient", "", "c_d in the drag c_d mu A / R of a vertex that stands for the area A"},
+          [](auto& b) { return &b.traction.coefficient; }, positive()),
       "traction.form is \"drag\"", [](const BodyConfig& b) { return b.traction.form == TractionForm::drag; }));
   keys.push_back(only_when<BodyConfig>(
-      make_key<BodyConfig>({"traction.probe_length", "length",
-                            "how far from the surface the flow is sampled; 0: the mean grid spacing"},
-                           [](auto& b) { return &b.traction.probe_length; }, at_least(0)),
+      make_key<BodyConfig>(
+          {"traction.probe_length", "length", "how far from the surface the flow is sampled; 0: the mean grid spacing"},
+          [](auto& b) { return &b.traction.probe_length; }, at_least(0)),
       "traction.form is \"one-sided\" or \"gradient\"", [](const BodyConfig& b) {
         return b.traction.form == TractionForm::one_sided || b.traction.form == TractionForm::gradient;
       }));
@@ -126,32 +139,66 @@ void add_traction(std::vector<BodyKey>& keys) {
 void add_potentials(std::vector<BodyKey>& keys) {
   keys.push_back(required(make_key<BodyConfig>(
       {"potentials.edge.stiffness", "force / length", "k_e of every edge's spring"},
-      [](auto& b) { auto* p = member(b.potentials.edge); return p ? &p->stiffness : nullptr; }, at_least(0))));
+      [](auto& b) {
+        auto* p = member(b.potentials.edge);
+        return p ? &p->stiffness : nullptr;
+      },
+      at_least(0))));
   keys.push_back(make_key<BodyConfig>(
       {"potentials.edge.rest_length", "", "of the springs, as a fraction of the initial length"},
-      [](auto& b) { auto* p = member(b.potentials.edge); return p ? &p->rest_length : nullptr; }, at_least(0)));
+      [](auto& b) {
+        auto* p = member(b.potentials.edge);
+        return p ? &p->rest_length : nullptr;
+      },
+      at_least(0)));
   keys.push_back(required(make_key<BodyConfig>(
       {"potentials.bending.stiffness", "energy", "k_b of every hinge between two faces"},
-      [](auto& b) { auto* p = member(b.potentials.bending); return p ? &p->stiffness : nullptr; }, at_least(0))));
+      [](auto& b) {
+        auto* p = member(b.potentials.bending);
+        return p ? &p->stiffness : nullptr;
+      },
+      at_least(0))));
   keys.push_back(make_key<BodyConfig>(
       {"potentials.bending.reference", "", "the angle of zero energy: that of the initial shape, or flat"},
-      [](auto& b) { auto* p = member(b.potentials.bending); return p ? &p->reference : nullptr; }));
+      [](auto& b) {
+        auto* p = member(b.potentials.bending);
+        return p ? &p->reference : nullptr;
+      }));
   keys.push_back(required(make_key<BodyConfig>(
       {"potentials.volume.stiffness", "energy / volume", "k_v, holds the volume enclosed by the body"},
-      [](auto& b) { auto* p = member(b.potentials.volume); return p ? &p->stiffness : nullptr; }, at_least(0))));
+      [](auto& b) {
+        auto* p = member(b.potentials.volume);
+        return p ? &p->stiffness : nullptr;
+      },
+      at_least(0))));
   keys.push_back(required(make_key<BodyConfig>(
       {"potentials.area.stiffness", "energy / area", "k_a, holds the area of each face"},
-      [](auto& b) { auto* p = member(b.potentials.area); return p ? &p->stiffness : nullptr; }, at_least(0))));
+      [](auto& b) {
+        auto* p = member(b.potentials.area);
+        return p ? &p->stiffness : nullptr;
+      },
+      at_least(0))));
   keys.push_back(required(make_key<BodyConfig>(
       {"potentials.total_area.stiffness", "energy / area", "holds the area of the whole surface"},
-      [](auto& b) { auto* p = member(b.potentials.total_area); return p ? &p->stiffness : nullptr; }, at_least(0))));
+      [](auto& b) {
+        auto* p = member(b.potentials.total_area);
+        return p ? &p->stiffness : nullptr;
+      },
+      at_least(0))));
   keys.push_back(required(make_key<BodyConfig>(
       {"potentials.surface_tension.sigma", "energy / area", "tension of a liquid-liquid interface"},
-      [](auto& b) { auto* p = member(b.potentials.surface_tension); return p ? &p->sigma : nullptr; }, at_least(0))));
+      [](auto& b) {
+        auto* p = member(b.potentials.surface_tension);
+        return p ? &p->sigma : nullptr;
+      },
+      at_least(0))));
   keys.push_back(make_key<BodyConfig>(
       {"potentials.surface_tension.mesh_control", "force / length",
        "stiffness of the tangential springs that keep the mesh even; 0: a fraction of sigma"},
-      [](auto& b) { auto* p = member(b.potentials.surface_tension); return p ? &p->mesh_control : nullptr; },
+      [](auto& b) {
+        auto* p = member(b.potentials.surface_tension);
+        return p ? &p->mesh_control : nullptr;
+      },
       at_least(0)));
   for (auto& key : keys) {
     if (key.path.rfind("potentials.", 0) != 0) continue;
@@ -162,8 +209,8 @@ void add_potentials(std::vector<BodyKey>& keys) {
 
 std::vector<Key<BodyConfig>> body_keys() {
   std::vector<BodyKey> keys;
-  keys.push_back(required(make_key<BodyConfig>(
-      {"name", "", "names the body's output files and its keys in --set"}, [](auto& b) { return &b.name; })));
+  keys.push_back(required(make_key<BodyConfig>({"name", "", "names the body's output files and its keys in --set"},
+                                               [](auto& b) { return &b.name; })));
   add_surface(keys);
   add_motion(keys);
   add_traction(keys);

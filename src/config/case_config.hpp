@@ -56,8 +56,8 @@ struct ForcingConfig {
 enum class InitialFlow { rest, uniform, couette, poiseuille, taylor_green, perturbed };
 struct InitialConfig {
   InitialFlow flow = InitialFlow::rest;
-  Vec3 velocity{0, 0, 0};  ///< uniform: the velocity; perturbed: the mean velocity
-  double amplitude = 1.0;  ///< poiseuille: centre velocity; taylor-green, perturbed: velocity scale
+  Vec3 velocity{0, 0, 0};    ///< uniform: the velocity; perturbed: the mean velocity
+  double amplitude = 1.0;    ///< poiseuille: centre velocity; taylor-green, perturbed: velocity scale
   Axis direction = Axis::x;  ///< poiseuille: of the flow
   Axis normal = Axis::z;     ///< couette, poiseuille: of the walls; taylor-green: of the plane of the vortices
   std::uint64_t seed = 1;    ///< perturbed
@@ -86,8 +86,8 @@ using SurfaceSpec = std::variant<SphereSurface, FileSurface>;
 enum class TractionForm { none, drag, one_sided, gradient };
 struct TractionConfig {
   TractionForm form = TractionForm::one_sided;
-  double coefficient = 100.0;   ///< drag: c_d in c = c_d mu A_node / R
-  double probe_length = 0.0;    ///< one-sided, gradient: 0 means the mean grid spacing
+  double coefficient = 100.0;  ///< drag: c_d in c = c_d mu A_node / R
+  double probe_length = 0.0;   ///< one-sided, gradient: 0 means the mean grid spacing
 };
 
 struct EdgeConfig {
@@ -99,17 +99,21 @@ struct BendingConfig {
   double stiffness = 0;
   ReferenceAngle reference = ReferenceAngle::initial;
 };
-struct VolumeConfig { double stiffness = 0; };
-struct AreaConfig { double stiffness = 0; };
+struct VolumeConfig {
+  double stiffness = 0;
+};
+struct AreaConfig {
+  double stiffness = 0;
+};
 struct SurfaceTensionConfig {
   double sigma = 0;
-  double mesh_control = 0;  ///< stiffness of the tangential springs that keep the mesh even; 0 means a fraction of sigma
+  double mesh_control = 0;  ///< stiffness of the tangential springs that keep the mesh even; 0: a fraction of sigma
 };
 struct PotentialsConfig {
   std::optional<EdgeConfig> edge;
   std::optional<BendingConfig> bending;
   std::optional<VolumeConfig> volume;
-  std::optional<AreaConfig> area;        ///< per face
+  std::optional<AreaConfig> area;  ///< per face
   std::optional<AreaConfig> total_area;
   std::optional<SurfaceTensionConfig> surface_tension;
 };
@@ -123,13 +127,15 @@ struct BodyConfig {
   MotionKind motion = MotionKind::deformable;
   CouplingKind coupling = CouplingKind::one_way;
   double mass_per_vertex = 1.0;
-  double damping = 0.0;          ///< force = -damping * velocity of the vertex
-  std::optional<int> substeps;   ///< within a fluid step; else found from the stability limit
+  double damping = 0.0;         ///< force = -damping * velocity of the vertex
+  std::optional<int> substeps;  ///< within a fluid step; else found from the stability limit
   TractionConfig traction;
   PotentialsConfig potentials;
 };
 
-struct HistoryConfig { long every = 10; };
+struct HistoryConfig {
+  long every = 10;
+};
 struct SeriesConfig {
   std::optional<double> interval;  ///< in time
   std::optional<long> every;       ///< in steps; neither: not written

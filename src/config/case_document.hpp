@@ -11,7 +11,7 @@ namespace pliant {
 
 /// One value of a case with the place it came from.
 struct Entry {
-  std::string path;    ///< of the key, within its scope
+  std::string path;  ///< of the key, within its scope
   Json value;
   std::string origin;  ///< "case.toml:12" or "--set fluid.viscosity=0.5"
 };

@@ -37,8 +37,10 @@ CaseKey side_type_key(int side) {
 CaseKey wall_velocity_key(int side) {
   auto key = make_key<CaseConfig>(
       {"boundary." + side_names()[side] + ".velocity", "velocity", "of the wall; no component normal to it"},
-      [side](auto& config) { auto* wall = std::get_if<WallSide>(&config.boundary[side]);
-                             return wall ? &wall->velocity : nullptr; });
+      [side](auto& config) {
+        auto* wall = std::get_if<WallSide>(&config.boundary[side]);
+        return wall ? &wall->velocity : nullptr;
+      });
   key.default_value = Json::array({0.0, 0.0, 0.0});
   return only_when<CaseConfig>(std::move(key), "the side's type is \"wall\"", [side](const CaseConfig& config) {
     return std::holds_alternative<WallSide>(config.boundary[side]);
@@ -66,33 +68,38 @@ CaseKey for_flows(CaseKey key, const std::vector<InitialFlow>& flows) {
 
 void add_box(std::vector<CaseKey>& keys) {
   const auto stretched = [](const CaseConfig& c) { return c.box.stretching_z.law != StretchingLaw::uniform; };
-  keys.push_back(make_key<CaseConfig>({"box.size", "length", "extent of the box in x, y, z"},
-                                      [](auto& c) { return &c.box.size; }, positive()));
+  keys.push_back(make_key<CaseConfig>(
+      {"box.size", "length", "extent of the box in x, y, z"}, [](auto& c) { return &c.box.size; }, positive()));
   keys.push_back(make_key<CaseConfig>({"box.origin", "length", "corner of the box with the smallest coordinates"},
                                       [](auto& c) { return &c.box.origin; }));
-  keys.push_back(make_key<CaseConfig>({"box.cells", "", "number of cells in x, y, z"},
-                                      [](auto& c) { return &c.box.cells; }, at_least(1)));
+  keys.push_back(make_key<CaseConfig>(
+      {"box.cells", "", "number of cells in x, y, z"}, [](auto& c) { return &c.box.cells; }, at_least(1)));
   keys.push_back(make_key<CaseConfig>({"box.stretching.z.law", "", "how the cells are spread along z"},
                                       [](auto& c) { return &c.box.stretching_z.law; }));
-  keys.push_back(only_when<CaseConfig>(
-      make_key<CaseConfig>({"box.stretching.z.strength", "", "larger packs more cells at both ends"},
-                           [](auto& c) { return &c.box.stretching_z.strength; }, positive()),
-      "box.stretching.z.law is \"tanh\"", stretched));
+  keys.push_back(only_when<CaseConfig>(make_key<CaseConfig>(
+                                           {"box.stretching.z.strength", "", "larger packs more cells at both ends"},
+                                           [](auto& c) { return &c.box.stretching_z.strength; }, positive()),
+                                       "box.stretching.z.law is \"tanh\"", stretched));
 }
 
 void add_fluid(std::vector<CaseKey>& keys) {
-  keys.push_back(make_key<CaseConfig>({"fluid.density", "mass / length^3", "of the fluid"},
-                                      [](auto& c) { return &c.fluid.density; }, positive()));
-  keys.push_back(make_key<CaseConfig>({"fluid.viscosity", "mass / (length time)", "dynamic viscosity of the fluid"},
-                                      [](auto& c) { return &c.fluid.viscosity; }, at_least(0)));
+  keys.push_back(make_key<CaseConfig>(
+      {"fluid.density", "mass / length^3", "of the fluid"}, [](auto& c) { return &c.fluid.density; }, positive()));
+  keys.push_back(make_key<CaseConfig>(
+      {"fluid.viscosity", "mass / (length time)", "dynamic viscosity of the fluid"},
+      [](auto& c) { return &c.fluid.viscosity; }, at_least(0)));
   keys.push_back(make_key<CaseConfig>({"forcing.acceleration", "length / time^2", "force per unit mass of fluid"},
                                       [](auto& c) { return &c.forcing.acceleration; }));
   keys.push_back(required(make_key<CaseConfig>(
-      {"forcing.bulk_velocity.axis", "", "direction of a constant mass flux; must be periodic"},
-      [](auto& c) { auto* bulk = member(c.forcing.bulk_velocity); return bulk ? &bulk->axis : nullptr; })));
+      {"forcing.bulk_velocity.axis", "", "direction of a constant mass flux; must be periodic"}, [](auto& c) {
+        auto* bulk = member(c.forcing.bulk_velocity);
+        return bulk ? &bulk->axis : nullptr;
+      })));
   keys.push_back(required(make_key<CaseConfig>(
-      {"forcing.bulk_velocity.value", "velocity", "mean velocity that the constant mass flux keeps"},
-      [](auto& c) { auto* bulk = member(c.forcing.bulk_velocity); return bulk ? &bulk->value : nullptr; })));
+      {"forcing.bulk_velocity.value", "velocity", "mean velocity that the constant mass flux keeps"}, [](auto& c) {
+        auto* bulk = member(c.forcing.bulk_velocity);
+        return bulk ? &bulk->value : nullptr;
+      })));
 }
 
 void add_boundary(std::vector<CaseKey>& keys) {
@@ -104,17 +111,17 @@ void add_boundary(std::vector<CaseKey>& keys) {
 
 void add_initial(std::vector<CaseKey>& keys) {
   using enum InitialFlow;
-  keys.push_back(make_key<CaseConfig>({"initial.flow", "", "the flow at time 0"},
-                                      [](auto& c) { return &c.initial.flow; }));
+  keys.push_back(
+      make_key<CaseConfig>({"initial.flow", "", "the flow at time 0"}, [](auto& c) { return &c.initial.flow; }));
   keys.push_back(for_flows(
       make_key<CaseConfig>({"initial.velocity", "velocity", "uniform: the velocity; perturbed: the mean velocity"},
                            [](auto& c) { return &c.initial.velocity; }),
       {uniform, perturbed}));
-  keys.push_back(for_flows(
-      make_key<CaseConfig>({"initial.amplitude", "velocity",
-                            "poiseuille: velocity in the middle; taylor-green, perturbed: velocity scale"},
-                           [](auto& c) { return &c.initial.amplitude; }),
-      {poiseuille, taylor_green, perturbed}));
+  keys.push_back(
+      for_flows(make_key<CaseConfig>({"initial.amplitude", "velocity",
+                                      "poiseuille: velocity in the middle; taylor-green, perturbed: velocity scale"},
+                                     [](auto& c) { return &c.initial.amplitude; }),
+                {poiseuille, taylor_green, perturbed}));
   keys.push_back(for_flows(make_key<CaseConfig>({"initial.direction", "", "direction of the flow"},
                                                 [](auto& c) { return &c.initial.direction; }),
                            {poiseuille}));
@@ -123,49 +130,56 @@ void add_initial(std::vector<CaseKey>& keys) {
                             "couette, poiseuille: normal of the walls; taylor-green: of the plane of the vortices"},
                            [](auto& c) { return &c.initial.normal; }),
       {couette, poiseuille, taylor_green}));
-  keys.push_back(for_flows(make_key<CaseConfig>({"initial.seed", "", "of the random perturbation"},
-                                                [](auto& c) { return &c.initial.seed; }, at_least(0)),
-                           {perturbed}));
+  keys.push_back(for_flows(
+      make_key<CaseConfig>(
+          {"initial.seed", "", "of the random perturbation"}, [](auto& c) { return &c.initial.seed; }, at_least(0)),
+      {perturbed}));
 }
 
 void add_time(std::vector<CaseKey>& keys) {
   const auto adaptive = [](const CaseConfig& c) { return !c.time.step; };
-  keys.push_back(make_key<CaseConfig>({"time.end", "time", "the run ends at this time"},
-                                      [](auto& c) { return &c.time.end; }, at_least(0)));
-  keys.push_back(make_key<CaseConfig>({"time.max_steps", "", "the run ends after so many steps, if that is earlier"},
-                                      [](auto& c) { return &c.time.max_steps; }, at_least(0)));
-  keys.push_back(instead_of(make_key<CaseConfig>({"time.step", "time", "fixed time step; else the step follows cfl"},
-                                                 [](auto& c) { return &c.time.step; }, positive()),
+  keys.push_back(make_key<CaseConfig>(
+      {"time.end", "time", "the run ends at this time"}, [](auto& c) { return &c.time.end; }, at_least(0)));
+  keys.push_back(make_key<CaseConfig>(
+      {"time.max_steps", "", "the run ends after so many steps, if that is earlier"},
+      [](auto& c) { return &c.time.max_steps; }, at_least(0)));
+  keys.push_back(instead_of(make_key<CaseConfig>(
+                                {"time.step", "time", "fixed time step; else the step follows cfl"},
+                                [](auto& c) { return &c.time.step; }, positive()),
                             {"time.cfl", "time.max_step"}));
   keys.push_back(only_when<CaseConfig>(
-      make_key<CaseConfig>({"time.cfl", "", "the step keeps the largest dt (u / dx + v / dy + w / dz) at this, by absolute values"},
-                           [](auto& c) { return &c.time.cfl; }, largest_cfl),
+      make_key<CaseConfig>(
+          {"time.cfl", "", "the step keeps the largest dt (u / dx + v / dy + w / dz) at this, by absolute values"},
+          [](auto& c) { return &c.time.cfl; }, largest_cfl),
       "time.step is not given", adaptive));
-  keys.push_back(only_when<CaseConfig>(
-      make_key<CaseConfig>({"time.max_step", "time", "upper bound on the step that follows cfl; 0: none"},
-                           [](auto& c) { return &c.time.max_step; }, at_least(0)),
-      "time.step is not given", adaptive));
+  keys.push_back(
+      only_when<CaseConfig>(make_key<CaseConfig>(
+                                {"time.max_step", "time", "upper bound on the step that follows cfl; 0: none"},
+                                [](auto& c) { return &c.time.max_step; }, at_least(0)),
+                            "time.step is not given", adaptive));
   keys.push_back(make_key<CaseConfig>({"time.viscous", "", "directions in which viscous terms are implicit"},
                                       [](auto& c) { return &c.time.viscous; }));
 }
 
 template <class Access>
 void add_series(std::vector<CaseKey>& keys, const std::string& name, const std::string& what, Access series) {
-  keys.push_back(instead_of(
-      make_key<CaseConfig>({"output." + name + ".interval", "time", "time between two " + what},
-                           [series](auto& c) { return &series(c).interval; }, positive()),
-      {"output." + name + ".every"}));
-  keys.push_back(make_key<CaseConfig>({"output." + name + ".every", "steps", "steps between two " + what},
-                                      [series](auto& c) { return &series(c).every; }, at_least(1)));
+  keys.push_back(instead_of(make_key<CaseConfig>(
+                                {"output." + name + ".interval", "time", "time between two " + what},
+                                [series](auto& c) { return &series(c).interval; }, positive()),
+                            {"output." + name + ".every"}));
+  keys.push_back(make_key<CaseConfig>(
+      {"output." + name + ".every", "steps", "steps between two " + what},
+      [series](auto& c) { return &series(c).every; }, at_least(1)));
 }
 
 void add_output(std::vector<CaseKey>& keys) {
-  keys.push_back(make_key<CaseConfig>({"output.history.every", "steps", "steps between two lines of the CSV files"},
-                                      [](auto& c) { return &c.output.history.every; }, at_least(1)));
-  add_series(keys, "fields", "outputs of velocity and pressure",
-             [](auto& c) -> auto& { return c.output.fields; });
-  add_series(keys, "surfaces", "outputs of the bodies' surfaces",
-             [](auto& c) -> auto& { return c.output.surfaces; });
+  keys.push_back(make_key<CaseConfig>(
+      {"output.history.every", "steps", "steps between two lines of the CSV files"},
+      [](auto& c) { return &c.output.history.every; }, at_least(1)));
+  add_series(
+      keys, "fields", "outputs of velocity and pressure", [](auto& c) -> auto& { return c.output.fields; });
+  add_series(
+      keys, "surfaces", "outputs of the bodies' surfaces", [](auto& c) -> auto& { return c.output.surfaces; });
 }
 }  // namespace
 

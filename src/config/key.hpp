@@ -14,12 +14,12 @@ enum class Presence { optional, required };
 /// `Config` is the struct it lives in: CaseConfig, or BodyConfig for the keys of one [[body]].
 template <class Config>
 struct Key {
-  std::string path;      ///< within `Config`, dotted: "box.size"
-  std::string unit;      ///< physical dimension for the docs; empty for pure numbers and words
-  std::string doc;       ///< one line
-  std::string type;      ///< for people: "number", "3 integers", ...
-  std::string legal;     ///< for people: "> 0", a list of words, ...
-  Json default_value;    ///< null: no default
+  std::string path;    ///< within `Config`, dotted: "box.size"
+  std::string unit;    ///< physical dimension for the docs; empty for pure numbers and words
+  std::string doc;     ///< one line
+  std::string type;    ///< for people: "number", "3 integers", ...
+  std::string legal;   ///< for people: "> 0", a list of words, ...
+  Json default_value;  ///< null: no default
   Presence presence = Presence::optional;
   std::vector<std::string> excludes = {};  ///< keys that say the same thing another way
   std::string condition = {};              ///< for people: when the key applies; empty means always
@@ -72,11 +72,14 @@ Key<Config> make_key(KeyText text, Access access, Limits limits = {}) {
   return key;
 }
 
-/// Restricts a key to the configs for which `applies` holds; `condition` says so to people: `initial.flow is "uniform"`.
+/// Restricts a key to the configs for which `applies` holds; `condition` says so to people: `initial.flow is
+/// "uniform"`.
 template <class Config>
 Key<Config> only_when(Key<Config> key, std::string condition, std::function<bool(const Config&)> applies) {
   key.condition = std::move(condition);
-  key.get = [get = std::move(key.get), applies](const Config& config) { return applies(config) ? get(config) : Json(); };
+  key.get = [get = std::move(key.get), applies](const Config& config) {
+    return applies(config) ? get(config) : Json();
+  };
   key.applies = std::move(applies);
   return key;
 }

@@ -39,8 +39,7 @@ std::optional<toml::table> parse_value(const std::string& text) {
   try {
     auto table = toml::parse("value = " + text);
     if (table.size() == 1 && table.contains("value")) return table;
-  } catch (const toml::parse_error&) {
-  }
+  } catch (const toml::parse_error&) {}
   if (is_bare_text(text)) return toml::table{{"value", text}};
   return std::nullopt;
 }
@@ -111,8 +110,8 @@ void apply_override(const std::string& text, CaseDocument& document) {
   }
   auto* body = parts.size() < 3 ? nullptr : find_body(document, parts[1]);
   if (!body) {
-    document.problems.push_back(fmt::format("{}: write body.NAME.key=value with the name of a body; {}", origin,
-                                            known_bodies(document)));
+    document.problems.push_back(
+        fmt::format("{}: write body.NAME.key=value with the name of a body; {}", origin, known_bodies(document)));
     return;
   }
   over.prefix = body->prefix;

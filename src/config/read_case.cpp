@@ -80,8 +80,9 @@ class Reader {
     if (key.presence != Presence::required || scope.find(key.path)) return;
     const auto dot = key.path.rfind('.');
     const bool asked = dot == std::string::npos || scope.sections.count(key.path.substr(0, dot)) > 0;
-    if (asked) complain(scope, key.path, scope.origin.empty() ? document_.file.string() : scope.origin,
-                        fmt::format("is missing: {} ({})", key.doc, key.type));
+    if (asked)
+      complain(scope, key.path, scope.origin.empty() ? document_.file.string() : scope.origin,
+               fmt::format("is missing: {} ({})", key.doc, key.type));
   }
 
   CaseDocument document_;

@@ -27,9 +27,7 @@ std::string row(const Key<Config>& key, const std::string& path) {
                      text_of_default(key.default_value, key.presence), legal, doc);
 }
 
-std::string table_head() {
-  return "| key | type | unit | default | legal | what it is |\n|---|---|---|---|---|---|\n";
-}
+std::string table_head() { return "| key | type | unit | default | legal | what it is |\n|---|---|---|---|---|---|\n"; }
 
 std::string section_of(const std::string& path) { return path.substr(0, path.find('.')); }
 }  // namespace
@@ -39,7 +37,8 @@ std::string case_reference() {
       "# The case file: every key\n\n"
       "Written by `pliant reference` from the table that the reader uses; do not edit by hand.\n\n"
       "A case is a TOML file. Unknown keys are errors. Integers are accepted where numbers are asked. Units are any\n"
-      "consistent set; the unit column gives the dimension. On the command line `--set key.path=value` overrides a key;\n"
+      "consistent set; the unit column gives the dimension. On the command line `--set key.path=value` overrides a "
+      "key;\n"
       "bodies go by name: `--set body.drop.potentials.edge.stiffness=300`.\n";
   std::string section;
   for (const auto& key : case_keys()) {
@@ -48,17 +47,20 @@ std::string case_reference() {
       section = section_of(path);
       text += path == section ? "\n## The case\n\n" : fmt::format("\n## [{}]\n\n", section);
       if (section == "boundary")
-        text += "SIDE is one of `x-`, `x+`, `y-`, `y+`, `z-`, `z+` (in quotes: `\"z+\"`), or `x`, `y`, `z` for both "
-                "sides\nof a direction. A word alone, `x = \"periodic\"`, is short for `x = { type = \"periodic\" }`. "
-                "Both sides of a\ndirection are periodic, or neither.\n\n";
+        text +=
+            "SIDE is one of `x-`, `x+`, `y-`, `y+`, `z-`, `z+` (in quotes: `\"z+\"`), or `x`, `y`, `z` for both "
+            "sides\nof a direction. A word alone, `x = \"periodic\"`, is short for `x = { type = \"periodic\" }`. "
+            "Both sides of a\ndirection are periodic, or neither.\n\n";
       text += table_head();
     }
     if (section == "boundary" && path.find("x-") == std::string::npos) continue;
     if (section == "boundary") path.replace(path.find("x-"), 2, "SIDE");
     text += row(key, path);
   }
-  text += "\n## [[body]]\n\nOne for each body; the keys under `potentials` are written under `[body.potentials]`, and a "
-          "potential that is not\nwritten is not there.\n\n" + table_head();
+  text +=
+      "\n## [[body]]\n\nOne for each body; the keys under `potentials` are written under `[body.potentials]`, and a "
+      "potential that is not\nwritten is not there.\n\n" +
+      table_head();
   for (const auto& key : body_keys()) text += row(key, key.path);
   return text;
 }

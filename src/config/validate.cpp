@@ -58,8 +58,10 @@ class Validator {
   void check_ranks(int ranks) {
     const int planes = config_.box.cells[2];
     if (!trusted({"box.cells"}) || ranks <= planes) return;
-    complain("box.cells", fmt::format("has {} planes in z, too few for {} ranks; use at most {} ranks (mpirun -n {}) or "
-                                      "more cells in z", planes, ranks, planes, planes));
+    complain("box.cells",
+             fmt::format("has {} planes in z, too few for {} ranks; use at most {} ranks (mpirun -n {}) or "
+                         "more cells in z",
+                         planes, ranks, planes, planes));
   }
 
   void check_forcing() {
@@ -79,7 +81,8 @@ class Validator {
     const auto word = word_for(initial.flow);
     if ((initial.flow == couette || initial.flow == poiseuille) && !has_walls(config_.boundary, normal))
       complain("initial.flow", fmt::format("\"{}\" needs walls at both sides of {}; set boundary.{}, or initial.normal "
-                                           "to the direction that has walls", word, name_of(normal), name_of(normal)));
+                                           "to the direction that has walls",
+                                           word, name_of(normal), name_of(normal)));
     if (initial.flow == poiseuille && initial.direction == initial.normal)
       complain("initial.direction", fmt::format("is {0}, and so is initial.normal; the flow must run along the walls",
                                                 word_for(initial.direction)));
@@ -88,7 +91,8 @@ class Validator {
       const bool bounded = !is_periodic(config_.boundary, d);
       if (d != normal && bounded)
         complain("initial.flow", fmt::format("\"{}\" with initial.normal = \"{}\" needs a periodic {}; set boundary.{} "
-                                             "= \"periodic\"", word, name_of(normal), name_of(d), name_of(d)));
+                                             "= \"periodic\"",
+                                             word, name_of(normal), name_of(d), name_of(d)));
     }
   }
 
@@ -100,11 +104,9 @@ class Validator {
       if (body.name.empty()) continue;
       if (!seen.emplace(body.name, i).second)
         complain(prefix + ".name", fmt::format("is used by more than one body; give each body its own name"));
-      const bool plain = std::all_of(body.name.begin(), body.name.end(), [](unsigned char c) {
-        return std::isalnum(c) || c == '_' || c == '-';
-      });
-      if (!plain)
-        complain(prefix + ".name", "names files: use only letters, digits, - and _");
+      const bool plain = std::all_of(body.name.begin(), body.name.end(),
+                                     [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-'; });
+      if (!plain) complain(prefix + ".name", "names files: use only letters, digits, - and _");
       const auto* sphere = std::get_if<SphereSurface>(&body.surface);
       const bool known = trusted({prefix + ".surface", prefix + ".surface.shape", prefix + ".surface.radius",
                                   prefix + ".surface.diameter", prefix + ".center", "box.size", "box.origin"});
@@ -144,11 +146,15 @@ void check_body_extent(const CaseConfig& config, std::size_t index, Vec3 lower, 
     const double begin = box.origin[d], end = begin + box.size[d];
     if (is_periodic(config.boundary, d)) {
       if (upper[d] - lower[d] > box.size[d])
-        problems.push_back(fmt::format("{} is {} long along {}, more than the periodic box ({}); make the box larger or "
-                                       "the body smaller", place, upper[d] - lower[d], name_of(d), box.size[d]));
+        problems.push_back(
+            fmt::format("{} is {} long along {}, more than the periodic box ({}); make the box larger or "
+                        "the body smaller",
+                        place, upper[d] - lower[d], name_of(d), box.size[d]));
     } else if (lower[d] < begin || upper[d] > end) {
-      problems.push_back(fmt::format("{} reaches from {} to {} along {}, outside the box ({} to {}); move its center or "
-                                     "make the box larger", place, lower[d], upper[d], name_of(d), begin, end));
+      problems.push_back(
+          fmt::format("{} reaches from {} to {} along {}, outside the box ({} to {}); move its center or "
+                      "make the box larger",
+                      place, lower[d], upper[d], name_of(d), begin, end));
     }
   }
 }

@@ -43,8 +43,7 @@ std::optional<double> read_number(const Json& value, const Limits& limits, std::
   return number;
 }
 
-std::optional<std::int64_t> read_integer(const Json& value, const Limits& limits,
-                                         std::optional<std::string>& problem) {
+std::optional<std::int64_t> read_integer(const Json& value, const Limits& limits, std::optional<std::string>& problem) {
   if (!value.is_number_integer()) {
     problem = "must be an integer, not " + describe_value(value);
     return std::nullopt;

@@ -58,7 +58,7 @@ struct ValueCodec<double> {
 };
 
 template <class T>
-  requires std::is_integral_v<T>
+requires std::is_integral_v<T>
 struct ValueCodec<T> {
   static std::string type_name() { return "integer"; }
   static std::string legal(const Limits& limits) { return describe(limits); }
@@ -132,7 +132,7 @@ struct ValueCodec<std::array<int, 3>> : TripleCodec<std::array<int, 3>, int> {
 
 /// Words, listed by words_of<E>().
 template <class T>
-  requires std::is_enum_v<T>
+requires std::is_enum_v<T>
 struct ValueCodec<T> {
   static std::string type_name() { return "word"; }
   static std::string legal(const Limits&) { return quoted_list(words_of<T>()); }

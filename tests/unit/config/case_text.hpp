@@ -41,9 +41,7 @@ inline std::vector<std::string> problems_of(const std::string& text, const std::
                                             int ranks = 1) {
   try {
     read_text(text, overrides, ranks);
-  } catch (const InputError& error) {
-    return error.problems();
-  }
+  } catch (const InputError& error) { return error.problems(); }
   return {};
 }
 

@@ -104,9 +104,9 @@ TEST(ReadCase, UnknownKeysNameTheNearest) {
   EXPECT_THAT(problems_of("[boundary]\nw = \"wall\""), ElementsAre(HasSubstr("unknown key boundary.w")));
   EXPECT_THAT(problems_of("[[body]]\nname = \"a\"\nsurface.shape = \"sphere\"\npotentials.edge = { stifness = 1 }\n"
                           "[box]\nsize = [4, 4, 4]"),
-              UnorderedElementsAre(AllOf(HasSubstr("body.a.potentials.edge.stifness"),
-                                         HasSubstr("body.a.potentials.edge.stiffness")),
-                                   HasSubstr("body.a.potentials.edge.stiffness is missing")));
+              UnorderedElementsAre(
+                  AllOf(HasSubstr("body.a.potentials.edge.stifness"), HasSubstr("body.a.potentials.edge.stiffness")),
+                  HasSubstr("body.a.potentials.edge.stiffness is missing")));
 }
 
 TEST(ReadCase, ListsAllProblemsWithTheirLines) {
@@ -166,10 +166,10 @@ TEST(ReadCase, ABodyNeedsANameAndASurface) {
 }
 
 TEST(Overrides, ReplaceValuesOfTheFile) {
-  const auto config = read_text(
-      drop_case, {"body.drop.potentials.edge.stiffness=300", "fluid.viscosity=2", "initial.flow=rest",
-                  "boundary.z+.velocity=[2,0,0]", "box.cells=[8,8,16]", "title=short one", "time.step=1e-3",
-                  "body.drop.surface={file=\"a.gts\", scale=2}", "body.drop.potentials.area={stiffness=7}"});
+  const auto config =
+      read_text(drop_case, {"body.drop.potentials.edge.stiffness=300", "fluid.viscosity=2", "initial.flow=rest",
+                            "boundary.z+.velocity=[2,0,0]", "box.cells=[8,8,16]", "title=short one", "time.step=1e-3",
+                            "body.drop.surface={file=\"a.gts\", scale=2}", "body.drop.potentials.area={stiffness=7}"});
   EXPECT_EQ(config.bodies[0].potentials.edge->stiffness, 300);
   EXPECT_EQ(config.bodies[0].potentials.edge->rest_length, 1.0);
   EXPECT_EQ(config.bodies[0].potentials.area->stiffness, 7);

@@ -1,0 +1,98 @@
+#!/usr/bin/env python3
+"""The program refuses wrong input with exit code 2 and a message that names the file and the key or line.
+
+Usage: bad_input.py PROGRAM MPIRUN [MPIRUN-OPTION]...
+"""
+import os
+import sys
+
+import surfaces
+from harness import BODY, CASE, Harness, expect, write
+
+harness = Harness(sys.argv[1], sys.argv[2:])
+
+
+def bad_case(name, text, patterns, ranks=1, arguments=()):
+    def test(folder):
+        write(folder, "case.toml", text)
+        write(folder, "drop.gts", surfaces.sound())
+        for command in (["check"], ["run", "--out", os.path.join(folder, "out")]):
+            harness.refuses([command[0], folder] + command[1:] + list(arguments), patterns, ranks=ranks)
+        expect(not os.path.exists(os.path.join(folder, "out")), "an output folder was made for a case that is wrong")
+    harness.check(name, test)
+
+
+def bad_surface(name, text, patterns):
+    def test(folder):
+        write(folder, "case.toml", CASE + BODY)
+        if text is not None:
+            write(folder, "drop.gts", text)
+        harness.refuses(["check", folder], patterns)
+        harness.refuses(["run", folder, "--out", os.path.join(folder, "out")], patterns)
+    harness.check(name, test)
+
+
+def bad_command(name, arguments, patterns):
+    harness.check(name, lambda folder: harness.refuses(arguments, patterns) and None)
+
+
+def sound_case(folder):
+    write(folder, "case.toml", CASE + BODY)
+    write(folder, "drop.gts", surfaces.sound())
+    result = harness.run("check", folder)
+    expect(result.returncode == 0, "the sound case is refused", result)
+    again = os.path.join(folder, "resolved.toml")
+    resolved = result.stdout.split("\n# ---")[0]
+    write(folder, "resolved.toml", resolved)
+    second = harness.run("check", again)
+    expect(second.returncode == 0 and second.stdout == result.stdout, "the resolved case reads differently", second)
+
+
+harness.check("sound case", sound_case)
+
+# The command line
+bad_command("no subcommand", [], ["subcommand"])
+bad_command("unknown subcommand", ["rum"], ["rum|subcommand"])
+bad_command("unknown option", ["check", "x", "--fast"], ["--fast"])
+bad_command("missing case", ["run"], ["CASE"])
+bad_command("missing file", ["check", "/nonexistent/case.toml"], [r"/nonexistent/case\.toml.*cannot be opened"])
+bad_command("missing folder", ["run", "/nonexistent"], ["/nonexistent"])
+bad_command("missing mesh", ["mesh", "info", "/nonexistent/a.gts"], [r"/nonexistent/a\.gts"])
+bad_command("mesh of frequency 0", ["mesh", "sphere", "--frequency", "0", "-o", "/tmp/never.gts"], ["frequency"])
+
+# The case file
+bad_case("misspelt key", CASE.replace("cells", "cell"), [r"case\.toml:5: unknown key box\.cell\b.*box\.cells"])
+bad_case("unknown section", CASE + "[fluit]\nviscosity = 1\n", [r"case\.toml:\d+: unknown key fluit.*fluid"])
+bad_case("wrong type", CASE + "[fluid]\nviscosity = \"thin\"\n", [r"case\.toml:14: fluid\.viscosity must be a number"])
+bad_case("negative size", CASE.replace("size = [4, 4, 4]", "size = [4, -4, 4]"),
+         [r"case\.toml:3: box\.size component y must be > 0"])
+bad_case("two problems at once", CASE.replace("size = [4, 4, 4]", "size = [4, -4, 4]") + "[fluid]\ndensity = 0\n",
+         [r"box\.size", r"fluid\.density", "2 problems"])
+bad_case("later boundary type", CASE.replace('z = "wall"', 'z = "inflow"'), [r'unknown type "inflow"; known: "periodic"'])
+bad_case("half periodic", CASE.replace('z = "wall"', '"z-" = "wall"'), [r"case\.toml:7: boundary\.z-"])
+bad_case("not TOML", CASE.replace("[box]", "[box"), [r"case\.toml:2: not valid TOML"])
+bad_case("empty file", "", [r"case\.toml: is empty"])
+bad_case("binary garbage", bytes(range(256)) * 8, [r"case\.toml:\d+: not valid TOML"])
+bad_case("wrong override", CASE, ["--set fluid.viscosity=-1"], arguments=["--set", "fluid.viscosity=-1"])
+bad_case("sphere outside the box", CASE + BODY.replace('file = "drop.gts"', 'shape = "sphere", radius = 2.5'),
+         [r"case\.toml:14: body\.drop .* outside the box"])
+bad_case("surface file outside the box", CASE + BODY + "", [r"body\.drop .* outside the box"],
+         arguments=["--set", "body.drop.center=[0,0,1.5]"])
+bad_case("more ranks than planes", CASE.replace("cells = [8, 8, 8]", "cells = [8, 8, 2]"),
+         [r"case\.toml:5: box\.cells has 2 planes.* 3 ranks"], ranks=3)
+
+# Surfaces
+bad_surface("missing surface", None, [r"drop\.gts"])
+bad_surface("index out of range", surfaces.index_out_of_range(), [r"drop\.gts:27\b.*99"])
+bad_surface("degenerate face", surfaces.degenerate_face(), [r"drop\.gts:27\b"])
+bad_surface("face without area", surfaces.face_without_area(), [r"drop\.gts:\d+"])
+bad_surface("hole", surfaces.hole(), [r"drop\.gts:\d+"])
+bad_surface("flipped face", surfaces.flipped_face(), [r"drop\.gts:\d+"])
+bad_surface("inside out", surfaces.inside_out(), [r"drop\.gts"])
+bad_surface("non-manifold edge", surfaces.non_manifold_edge(), [r"drop\.gts:\d+"])
+bad_surface("truncated surface", surfaces.truncated(), [r"drop\.gts:\d+"])
+bad_surface("letters for numbers", surfaces.not_a_number(), [r"drop\.gts:3\b"])
+bad_surface("empty surface", "", [r"drop\.gts"])
+bad_surface("binary surface", bytes(range(256)) * 8, [r"drop\.gts"])
+
+sys.exit(harness.report())
