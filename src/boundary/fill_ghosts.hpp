@@ -1,0 +1,23 @@
+#pragma once
+#include "boundary/side_rules.hpp"
+#include "field/field.hpp"
+#include "parallel/slab_halo.hpp"
+
+namespace pliant {
+
+/// Fills the x and y ghosts of plane k, and the values on the side faces, from the interior of that plane.
+template <class Location>
+void fill_plane_ghosts(View<Location> f, const FieldRules& rules, int nx, int ny, int k);
+
+/// Fills the ghost planes k = -1 and nz at the bounded ends of z (whole planes, corners included), and the face plane
+/// nz - 1 of a quantity that lives on z faces. Needs complete planes.
+template <class Location>
+void fill_end_planes(View<Location> f, const FieldRules& rules, const Grid& grid);
+
+/// The planes of a field as the halo exchange sees them.
+template <class Location>
+PlaneStack plane_stack(Field<Location>& f) {
+  return {f.view().origin - f.row() - 8, f.plane(), static_cast<std::size_t>(f.plane())};
+}
+
+}  // namespace pliant

@@ -1,0 +1,80 @@
+#include "flow/helmholtz_adi.hpp"
+
+#include <algorithm>
+
+namespace pliant {
+namespace {
+
+struct Line {
+  int unknowns;
+  LineEnds ends;
+  double low, high;
+};
+
+// A quantity on the side itself (kind face) is known there: one unknown fewer, value 0 at the neighbouring nodes.
+Line line_of(const SideRule& low, const SideRule& high, int n) {
+  if (low.kind == SideRule::Kind::periodic) return {n, LineEnds::periodic, 0, 0};
+  if (low.kind == SideRule::Kind::face) return {n - 1, LineEnds::bounded, 0, 0};
+  return {n, LineEnds::bounded, low.sign, high.sign};
+}
+
+SlabRows z_rows(const Grid& grid, const FieldRules& rules, int component, double a) {
+  SlabRows rows;
+  const bool on_faces = component == 2;
+  const auto dz_c = grid.dz_c(), dz_f = grid.dz_f();
+  for (int k = 0; k < grid.nz(); ++k) {
+    const bool bottom = grid.has_bottom() && k == 0, top = grid.has_top() && k == grid.nz() - 1;
+    double lower = on_faces ? -a / (dz_f[k] * dz_c[k]) : -a / (dz_c[k] * dz_f[k - 1]);
+    double upper = on_faces ? -a / (dz_f[k] * dz_c[k + 1]) : -a / (dz_c[k] * dz_f[k]);
+    double diagonal = 1 - lower - upper;
+    if (on_faces && top) lower = 0, diagonal = 1;  // the face on the side is known
+    if (!on_faces && bottom) diagonal += rules[4].sign * lower;
+    if (!on_faces && top) diagonal += rules[5].sign * upper;
+    rows.lower.push_back(bottom ? 0 : lower);
+    rows.upper.push_back(top ? 0 : upper);
+    rows.diagonal.push_back(diagonal);
+  }
+  return rows;
+}
+
+SlabTridiagonal::Ends ends_of(const Grid& grid) {
+  return grid.is_periodic(2) ? SlabTridiagonal::Ends::periodic : SlabTridiagonal::Ends::bounded;
+}
+
+}  // namespace
+
+HelmholtzAdi::HelmholtzAdi(const Grid& grid, const FieldRules& rules, int component, Directions directions,
+                           std::ptrdiff_t row_stride)
+    : grid_(grid),
+      rules_(rules),
+      component_(component),
+      directions_(directions),
+      stride_(row_stride),
+      z_(grid.ranks(), ends_of(grid), grid.nz(), LinePlane{grid.nx(), grid.ny(), row_stride}),
+      work_(2 * static_cast<std::size_t>(grid.nx())) {}
+
+void HelmholtzAdi::set_coefficient(double a) {
+  if (a == a_) return;
+  a_ = a;
+  z_.set_coefficients(z_rows(grid_, rules_, component_, a));
+  if (directions_ == Directions::z) return;
+  const Line x = line_of(rules_[0], rules_[1], grid_.nx()), y = line_of(rules_[2], rules_[3], grid_.ny());
+  x_ = RowHelmholtz(x.unknowns, a / (grid_.dx() * grid_.dx()), x.ends, x.low, x.high);
+  y_ = PlaneHelmholtz(y.unknowns, a / (grid_.dy() * grid_.dy()), y.ends, y.low, y.high);
+}
+
+void HelmholtzAdi::begin_plane(double* plane, const double* plane_below, int k) {
+  const int nx = grid_.nx(), ny = grid_.ny();
+  if (rules_[0].kind == SideRule::Kind::face)
+    for (int j = 0; j < ny; ++j) plane[j * stride_ + nx - 1] = 0;
+  if (rules_[2].kind == SideRule::Kind::face) std::fill_n(plane + (ny - 1) * stride_, nx, 0.0);
+  if (component_ == 2 && grid_.has_top() && k == grid_.nz() - 1)
+    for (int j = 0; j < ny; ++j) std::fill_n(plane + j * stride_, nx, 0.0);
+  if (directions_ == Directions::all) {
+    for (int j = 0; j < ny; ++j) x_.solve(plane + j * stride_);
+    y_.solve(plane, nx, stride_, work_.data());
+  }
+  z_.eliminate(k, plane, plane_below);
+}
+
+}  // namespace pliant

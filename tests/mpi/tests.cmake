@@ -1,0 +1,1 @@
+pliant_test(poisson_test SOURCES ${CMAKE_CURRENT_LIST_DIR}/poisson_test.cpp LIBS pliant_solvers RANKS 1 2 3 4 5)
