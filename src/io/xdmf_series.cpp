@@ -1,0 +1,50 @@
+#include "io/xdmf_series.hpp"
+
+#include <fmt/format.h>
+
+#include "io/atomic_file.hpp"
+
+namespace pliant {
+
+XdmfSeries::XdmfSeries(std::filesystem::path path, std::string name) : path_(std::move(path)), name_(std::move(name)) {}
+
+void XdmfSeries::add(double time, std::string body) {
+  snapshots_.push_back({time, std::move(body)});
+  std::string text = fmt::format(
+      "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<!DOCTYPE Xdmf SYSTEM \"Xdmf.dtd\" []>\n"
+      "<Xdmf Version=\"2.0\">\n<Domain>\n<Grid Name=\"{}\" GridType=\"Collection\" CollectionType=\"Temporal\">\n",
+      escape_xml(name_));
+  for (const auto& snapshot : snapshots_)
+    text += fmt::format("<Grid Name=\"{}\" GridType=\"Uniform\">\n<Time Value=\"{}\"/>\n{}</Grid>\n", escape_xml(name_),
+                        snapshot.time, snapshot.body);
+  text += "</Grid>\n</Domain>\n</Xdmf>\n";
+  write_file_atomically(path_, text);
+}
+
+std::string escape_xml(const std::string& text) {
+  std::string result;
+  for (const char c : text) switch (c) {
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      default:
+        result += c;
+    }
+  return result;
+}
+
+std::string xdmf_item(const std::string& dimensions, const char* type, int bytes, const std::string& place) {
+  return fmt::format("<DataItem Format=\"HDF\" Dimensions=\"{}\" NumberType=\"{}\" Precision=\"{}\">{}</DataItem>\n",
+                     dimensions, type, bytes, escape_xml(place));
+}
+
+}  // namespace pliant
