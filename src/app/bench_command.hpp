@@ -19,7 +19,7 @@ struct BenchOptions {
   std::array<int, 3> cells{128, 128, 128};
   ViscousMode viscous = ViscousMode::implicit;
   int steps = 20;
-  int repeats = 3;  ///< timed repetitions of `steps` steps; the fastest is reported
+  int repeats = 5;  ///< timed repetitions of `steps` steps; the median is reported
   StretchingLaw stretching = StretchingLaw::uniform;
   BenchBoundary boundary = BenchBoundary::channel;
   ReportFormat format = ReportFormat::text;

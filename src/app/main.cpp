@@ -15,14 +15,14 @@ namespace pliant {
 namespace {
 std::string version_text() {
   const auto build = build_info();
-  return fmt::format("pliant {} (commit {})\ncompiler: {} ({})\nMPI: {}\n", build.version, build.commit, build.compiler,
+  return fmt::format("pliant {} (commit {})\ncompiler: {} ({})\nMPI: {}", build.version, build.commit, build.compiler,
                      build.flags, mpi_library());
 }
 
 /// Parses the command line into an action. Returns the exit code when there is nothing to do: help, version, mistakes.
 std::optional<int> parse(int argc, char** argv, const Communicator& ranks, Action& action) {
   CLI::App app("Pliant: flow and thin deforming bodies on a Cartesian grid", "pliant");
-  app.require_subcommand(1);
+  app.require_subcommand(0, 1);  // its absence is told below, after a misspelt one
   app.set_version_flag("--version", version_text);
   app.footer("Exit codes: 0 success, 2 wrong input, 3 failed run. docs/case-reference.md lists the keys of a case.");
   add_run_command(app, action);
@@ -39,7 +39,9 @@ std::optional<int> parse(int argc, char** argv, const Communicator& ranks, Actio
     if (ranks.is_root()) std::cout << out.str() << std::flush, std::cerr << err.str() << std::flush;
     return code == 0 ? exit_success : exit_input_error;
   }
-  return std::nullopt;
+  if (action) return std::nullopt;
+  if (ranks.is_root()) fmt::print(stderr, "error: a subcommand is missing\n{}", app.help());
+  return exit_input_error;
 }
 
 void print_problems(const InputError& error) {
@@ -57,6 +59,9 @@ int run_program(int argc, char** argv, const Communicator& ranks) {
     // Every rank reads the same input and finds the same problems.
     if (ranks.is_root()) print_problems(error);
     return exit_input_error;
+  } catch (const CollectiveError& error) {
+    if (ranks.is_root()) fmt::print(stderr, "error: {}\n", error.what());
+    return exit_run_error;
   } catch (const std::exception& error) {
     if (ranks.size() == 1) fmt::print(stderr, "error: {}\n", error.what());
     else fmt::print(stderr, "error on rank {}: {}\n", ranks.rank(), error.what());
