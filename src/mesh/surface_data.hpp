@@ -1,0 +1,18 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "core/vec3.hpp"
+#include "mesh/triangle_mesh.hpp"
+
+namespace pliant {
+
+/// Vertices and faces as read from a file, not checked yet, and where they were read so that errors can point at them.
+struct SurfaceData {
+  std::string source;  ///< name of the file, or of the shape
+  std::vector<Vec3> positions;
+  std::vector<Face> faces;
+  std::vector<long> vertex_lines, face_lines;  ///< line of each vertex and face; empty if the source has no lines
+};
+
+}  // namespace pliant
