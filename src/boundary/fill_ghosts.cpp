@@ -1,6 +1,6 @@
 #include "boundary/fill_ghosts.hpp"
 
-#include <type_traits>
+#include "core/loops.hpp"
 
 namespace pliant {
 namespace {
@@ -27,10 +27,11 @@ inline void fill_line(double* f, std::ptrdiff_t step, int n, const SideRule& low
 
 template <class Location>
 void fill_plane_ghosts(View<Location> f, const FieldRules& rules, int nx, int ny, int k) {
-  for (int j = 0; j < ny; ++j) fill_line(f.at_row(j, k), 1, nx, rules[0], rules[1]);
-  double* row = f.at_row(0, k);
-#pragma GCC ivdep
-  for (int i = -1; i <= nx; ++i) fill_line(row + i, f.row, ny, rules[2], rules[3]);
+  for_rows(ny, [&](int j) { fill_line(f.at_row(j, k), 1, nx, rules[0], rules[1]); });
+  double* row = f.at_row(0, k) - 1;
+  const std::ptrdiff_t step = f.row;
+  const SideRule low = rules[2], high = rules[3];
+  for_each(nx + 2, [=](int i) { fill_line(row + i, step, ny, low, high); });
 }
 
 template <class Location>

@@ -1,5 +1,7 @@
 #include "flow/momentum.hpp"
 
+#include "core/loops.hpp"
+
 namespace pliant {
 namespace {
 
@@ -48,8 +50,7 @@ void u_row(const PlaneFactors& f, const MomentumInput& in, const MomentumOutput&
   const double* __restrict p = in.p.at_row(j, k);
   double* __restrict h = out.history_u.at_row(j, k);
   double* __restrict result = out.u.at_row(j, k);
-#pragma GCC ivdep
-  for (int i = 0; i < nx; ++i) {
+  for_each(nx, [=](int i) {
     const double c = u[i], e = u[i + 1], o = u[i - 1], n = un[i], s = us[i], t = ut[i], b = ub[i];
     const double advection = f.x * ((e + c) * (e + c) - (c + o) * (c + o)) +
                              f.y * ((v[i] + v[i + 1]) * (n + c) - (vs[i] + vs[i + 1]) * (c + s)) +
@@ -58,7 +59,7 @@ void u_row(const PlaneFactors& f, const MomentumInput& in, const MomentumOutput&
     const double visc_z = f.visc_z_up * (t - c) - f.visc_z_down * (c - b);
     result[i] = Combine<mode, history>::apply(f, advection, visc_xy, visc_z, f.grad_x * (p[i + 1] - p[i]), f.push.x, c,
                                               h[i]);
-  }
+  });
 }
 
 template <ViscousMode mode, HistoryUse history>
@@ -78,8 +79,7 @@ void v_row(const PlaneFactors& f, const MomentumInput& in, const MomentumOutput&
   const double* __restrict pn = in.p.at_row(j + 1, k);
   double* __restrict h = out.history_v.at_row(j, k);
   double* __restrict result = out.v.at_row(j, k);
-#pragma GCC ivdep
-  for (int i = 0; i < nx; ++i) {
+  for_each(nx, [=](int i) {
     const double c = v[i], e = v[i + 1], o = v[i - 1], n = vn[i], s = vs[i], t = vt[i], b = vb[i];
     const double advection = f.x * ((u[i] + un[i]) * (e + c) - (u[i - 1] + un[i - 1]) * (c + o)) +
                              f.y * ((n + c) * (n + c) - (c + s) * (c + s)) +
@@ -88,7 +88,7 @@ void v_row(const PlaneFactors& f, const MomentumInput& in, const MomentumOutput&
     const double visc_z = f.visc_z_up * (t - c) - f.visc_z_down * (c - b);
     result[i] = Combine<mode, history>::apply(f, advection, visc_xy, visc_z, f.grad_y * (pn[i] - p[i]), f.push.y, c,
                                               h[i]);
-  }
+  });
 }
 
 template <ViscousMode mode, HistoryUse history>
@@ -109,8 +109,7 @@ void w_row(const PlaneFactors& f, const MomentumInput& in, const MomentumOutput&
   double* __restrict h = out.history_w.at_row(j, k);
   double* __restrict result = out.w.at_row(j, k);
   const double low = 2 * f.weight_low, high = 2 * f.weight_high;
-#pragma GCC ivdep
-  for (int i = 0; i < nx; ++i) {
+  for_each(nx, [=](int i) {
     const double c = w[i], e = w[i + 1], o = w[i - 1], n = wn[i], s = ws[i], t = wt[i], b = wb[i];
     const double advection =
         f.x * ((low * u[i] + high * ut[i]) * (e + c) - (low * u[i - 1] + high * ut[i - 1]) * (c + o)) +
@@ -120,17 +119,17 @@ void w_row(const PlaneFactors& f, const MomentumInput& in, const MomentumOutput&
     const double visc_z = f.visc_w_up * (t - c) - f.visc_w_down * (c - b);
     result[i] = Combine<mode, history>::apply(f, advection, visc_xy, visc_z, f.grad_z * (pt[i] - p[i]), f.push.z, c,
                                               h[i]);
-  }
+  });
 }
 
 template <ViscousMode mode, HistoryUse history>
 void plane(const PlaneFactors& f, const Grid& grid, const MomentumInput& in, const MomentumOutput& out, int k) {
   const int nx = grid.nx(), ny = grid.ny();
-  for (int j = 0; j < ny; ++j) {
+  for_rows(ny, [&](int j) {
     u_row<mode, history>(f, in, out, nx, j, k);
     v_row<mode, history>(f, in, out, nx, j, k);
     w_row<mode, history>(f, in, out, nx, j, k);
-  }
+  });
 }
 
 template <ViscousMode mode>

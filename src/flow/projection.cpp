@@ -4,22 +4,23 @@
 #include <cmath>
 #include <limits>
 
+#include "core/loops.hpp"
+
 namespace pliant {
 
 void divergence_plane(const Grid& grid, ConstView<FaceX> u, ConstView<FaceY> v, ConstView<FaceZ> w, double scale,
                       View<Center> phi, int k) {
   const double sx = scale / grid.dx(), sy = scale / grid.dy(), sz = scale / grid.dz_c()[k];
   const int nx = grid.nx();
-  for (int j = 0; j < grid.ny(); ++j) {
+  for_rows(grid.ny(), [&](int j) {
     const double* __restrict a = u.at_row(j, k);
     const double* __restrict b = v.at_row(j, k);
     const double* __restrict bs = v.at_row(j - 1, k);
     const double* __restrict c = w.at_row(j, k);
     const double* __restrict cb = w.at_row(j, k - 1);
     double* __restrict out = phi.at_row(j, k);
-#pragma GCC ivdep
-    for (int i = 0; i < nx; ++i) out[i] = sx * (a[i] - a[i - 1]) + sy * (b[i] - bs[i]) + sz * (c[i] - cb[i]);
-  }
+    for_each(nx, [=](int i) { out[i] = sx * (a[i] - a[i - 1]) + sy * (b[i] - bs[i]) + sz * (c[i] - cb[i]); });
+  });
 }
 
 namespace {
@@ -31,7 +32,7 @@ void correct(const Grid& grid, double dt_alpha, double weight, ConstView<Center>
   const double gx = dt_alpha / grid.dx(), gy = dt_alpha / grid.dy(), gz = dt_alpha / dz_f[k];
   const double lx = weight / (grid.dx() * grid.dx()), ly = weight / (grid.dy() * grid.dy());
   const double up = weight / (dz_c[k] * dz_f[k]), down = weight / (dz_c[k] * dz_f[k - 1]);
-  for (int j = 0; j < grid.ny(); ++j) {
+  for_rows(grid.ny(), [&](int j) {
     const double* __restrict c = phi.at_row(j, k);
     const double* __restrict n = phi.at_row(j + 1, k);
     const double* __restrict s = phi.at_row(j - 1, k);
@@ -41,8 +42,7 @@ void correct(const Grid& grid, double dt_alpha, double weight, ConstView<Center>
     double* __restrict v = f.v.at_row(j, k);
     double* __restrict w = f.w.at_row(j, k);
     double* __restrict p = f.p.at_row(j, k);
-#pragma GCC ivdep
-    for (int i = 0; i < nx; ++i) {
+    for_each(nx, [=](int i) {
       u[i] -= gx * (c[i + 1] - c[i]);
       v[i] -= gy * (n[i] - c[i]);
       w[i] -= gz * (t[i] - c[i]);
@@ -51,8 +51,8 @@ void correct(const Grid& grid, double dt_alpha, double weight, ConstView<Center>
         change -= lx * (c[i + 1] - 2 * c[i] + c[i - 1]) + ly * (n[i] - 2 * c[i] + s[i]);
       if constexpr (terms != CorrectionTerms::none) change -= up * (t[i] - c[i]) - down * (c[i] - b[i]);
       p[i] += change;
-    }
-  }
+    });
+  });
 }
 
 }  // namespace

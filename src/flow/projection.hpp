@@ -1,6 +1,7 @@
 #pragma once
 #include <type_traits>
 
+#include "core/loops.hpp"
 #include "field/field.hpp"
 
 namespace pliant {
@@ -27,11 +28,11 @@ void correct_plane(const Grid& grid, CorrectionTerms terms, double dt_alpha, dou
 template <class Location>
 void add_plane(View<Location> a, std::type_identity_t<ConstView<Location>> b, const Grid& grid, int k) {
   const int nx = grid.nx(), ny = grid.ny();
-  for (int j = 0; j < ny; ++j) {
+  for_rows(ny, [&](int j) {
     double* __restrict to = a.at_row(j, k);
     const double* __restrict from = b.at_row(j, k);
-    for (int i = 0; i < nx; ++i) to[i] += from[i];
-  }
+    for_each(nx, [=](int i) { to[i] += from[i]; });
+  });
 }
 
 /// Integral over this rank's part of the box.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/loops.hpp"
+
 namespace pliant {
 
 PlaneHelmholtz::PlaneHelmholtz(int n, double a, LineEnds ends, double low, double high)
@@ -42,25 +44,22 @@ void PlaneHelmholtz::solve(double* plane, int width, std::ptrdiff_t stride, doub
     const double* __restrict below = j == 0 ? last : d - stride;
     if (j == 0) std::fill_n(work, 2 * width, 0.0);
     if (periodic && weight != 0) {
-#pragma GCC ivdep
-      for (int i = 0; i < width; ++i) {
+      for_each(width, [=](int i) {
         d[i] = (d[i] - off * below[i]) * inverse;
         first[i] += weight * d[i];
-      }
+      });
     } else {
-#pragma GCC ivdep
-      for (int i = 0; i < width; ++i) d[i] = (d[i] - off * below[i]) * inverse;
+      for_each(width, [=](int i) { d[i] = (d[i] - off * below[i]) * inverse; });
     }
   }
   if (periodic) {
     const double* __restrict d = plane + (n_ - 1) * stride;
-    const double(&c)[2][2] = closure_;
-#pragma GCC ivdep
-    for (int i = 0; i < width; ++i) {
+    const double ll = closure_[0][0], lf = closure_[0][1], fl = closure_[1][0], ff = closure_[1][1];
+    for_each(width, [=](int i) {
       const double y_first = first[i];
-      last[i] = c[0][0] * d[i] + c[0][1] * y_first;
-      first[i] = c[1][0] * d[i] + c[1][1] * y_first;
-    }
+      last[i] = ll * d[i] + lf * y_first;
+      first[i] = fl * d[i] + ff * y_first;
+    });
   }
   for (int j = n_ - 1; j >= 0; --j) {
     const auto at = static_cast<std::size_t>(j);
@@ -70,11 +69,9 @@ void PlaneHelmholtz::solve(double* plane, int width, std::ptrdiff_t stride, doub
     const double from_below = periodic ? from_below_[at] : 0.0;
     if (j == n_ - 1 && !periodic) continue;
     if (from_below != 0) {
-#pragma GCC ivdep
-      for (int i = 0; i < width; ++i) d[i] += from_below * last[i] - factor * above[i];
+      for_each(width, [=](int i) { d[i] += from_below * last[i] - factor * above[i]; });
     } else {
-#pragma GCC ivdep
-      for (int i = 0; i < width; ++i) d[i] -= factor * above[i];
+      for_each(width, [=](int i) { d[i] -= factor * above[i]; });
     }
   }
 }

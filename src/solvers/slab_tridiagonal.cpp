@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/loops.hpp"
+
 namespace pliant {
 namespace {
 // Weights below this are dropped: they cannot be seen in a result, and denormal numbers are slow.
@@ -119,12 +121,10 @@ void SlabTridiagonal::eliminate_with(const Table& table, int k, double* plane, c
     double* __restrict d = plane + row * lines_.stride;
     const auto inverse = table.inverse(k, row);
     if (k == 0) {
-#pragma GCC ivdep
-      for (int i = 0; i < width; ++i) d[i] *= inverse[i];
+      for_each(width, [=](int i) { d[i] *= inverse[i]; });
     } else {
       const double* __restrict below = plane_below + row * lines_.stride;
-#pragma GCC ivdep
-      for (int i = 0; i < width; ++i) d[i] = (d[i] - lower * below[i]) * inverse[i];
+      for_each(width, [=](int i) { d[i] = (d[i] - lower * below[i]) * inverse[i]; });
     }
   }
   if (!interfaces_.is_coupled()) return;
@@ -143,15 +143,13 @@ void SlabTridiagonal::eliminate_with(const Table& table, int k, double* plane, c
     } else if (per_mode_) {
       const auto inverse_before = table.inverse(k - 1, row);
       double* __restrict weight = weight_.data() + line;
-#pragma GCC ivdep
-      for (int i = 0; i < width; ++i) {
+      for_each(width, [=](int i) {
         const double w = -upper_before * inverse_before[i] * weight[i];
         weight[i] = w > negligible || w < -negligible ? w : 0.0;
         y[i] += weight[i] * d[i];
-      }
+      });
     } else if (const double weight = weight_[0]; weight != 0) {
-#pragma GCC ivdep
-      for (int i = 0; i < width; ++i) y[i] += weight * d[i];
+      for_each(width, [=](int i) { y[i] += weight * d[i]; });
     }
   }
 }
@@ -171,11 +169,9 @@ void SlabTridiagonal::substitute_with(const Table& table, int k, double* plane, 
     if (coupled) {
       const auto from_below = table.from_below(k, row);
       const double* __restrict below = y_first_.data() + line;
-#pragma GCC ivdep
-      for (int i = 0; i < width; ++i) d[i] += from_below[i] * below[i] - upper * inverse[i] * above[i];
+      for_each(width, [=](int i) { d[i] += from_below[i] * below[i] - upper * inverse[i] * above[i]; });
     } else {
-#pragma GCC ivdep
-      for (int i = 0; i < width; ++i) d[i] -= upper * inverse[i] * above[i];
+      for_each(width, [=](int i) { d[i] -= upper * inverse[i] * above[i]; });
     }
   }
 }
