@@ -1,0 +1,96 @@
+#include <benchmark/benchmark.h>
+
+#include "flow/momentum.hpp"
+#include "flow/projection.hpp"
+#include "solvers/plane_helmholtz.hpp"
+#include "solvers/plane_transform.hpp"
+#include "solvers/row_helmholtz.hpp"
+
+// The kernels of a flow step by themselves, on planes that stay in cache: items are cells, so that the inverse of
+// items_per_second is the time of a cell.
+namespace pliant {
+namespace {
+
+struct Box {
+  explicit Box(int n)
+      : grid(config(n), boundary(), Communicator(MPI_COMM_SELF)), u(grid), v(grid), w(grid), p(grid), hu(grid),
+        hv(grid), hw(grid), ru(grid), rv(grid), rw(grid) {}
+  static BoxConfig config(int n) {
+    BoxConfig box;
+    box.cells = {n, n, 4};
+    return box;
+  }
+  static BoundaryConfig boundary() { return {}; }
+  Grid grid;
+  Field<FaceX> u;
+  Field<FaceY> v;
+  Field<FaceZ> w;
+  Field<Center> p;
+  Field<FaceX> hu;
+  Field<FaceY> hv;
+  Field<FaceZ> hw;
+  Field<FaceX> ru;
+  Field<FaceY> rv;
+  Field<FaceZ> rw;
+};
+
+void count_cells(benchmark::State& state, const Grid& grid) {
+  state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations()) * grid.nx() * grid.ny());
+}
+
+void momentum(benchmark::State& state) {
+  Box box(static_cast<int>(state.range(0)));
+  const MomentumInput in{box.u.view(), box.v.view(), box.w.view(), box.p.view()};
+  const MomentumOutput out{box.ru.view(), box.rv.view(), box.rw.view(), box.hu.view(), box.hv.view(), box.hw.view()};
+  const MomentumFactors factors{1e-3, -1e-4, 1e-3, 1e-3, {}};
+  for (auto _ : state)
+    momentum_plane(box.grid, static_cast<ViscousMode>(state.range(1)), HistoryUse::read_write, factors, in, out, 1);
+  count_cells(state, box.grid);
+}
+BENCHMARK(momentum)->ArgsProduct({{128, 256}, {0, 1, 2}})->ArgNames({"n", "mode"});
+
+void correction(benchmark::State& state) {
+  Box box(static_cast<int>(state.range(0)));
+  Field<Center> phi(box.grid);
+  for (auto _ : state)
+    correct_plane(box.grid, static_cast<CorrectionTerms>(state.range(1)), 1e-3, 1e-6, phi.view(),
+                  {box.u.view(), box.v.view(), box.w.view(), box.p.view()}, 1);
+  count_cells(state, box.grid);
+}
+BENCHMARK(correction)->ArgsProduct({{256}, {0, 1, 2}})->ArgNames({"n", "terms"});
+
+void transform_pair(benchmark::State& state) {
+  Box box(static_cast<int>(state.range(0)));
+  const auto kind = state.range(1) == 0 ? PlaneTransform::Kind::fourier : PlaneTransform::Kind::cosine;
+  const auto planning = state.range(2) == 0 ? TransformPlanning::estimate : TransformPlanning::measure;
+  double* plane = box.p.view().at_row(0, 0);
+  const PlaneTransform transform(box.grid.nx(), box.grid.ny(), box.p.row(), kind, kind, planning, plane);
+  std::fill_n(plane, box.p.row() * box.grid.ny(), 0.0);
+  for (auto _ : state) {
+    transform.forward(plane);
+    transform.backward(plane);
+  }
+  count_cells(state, box.grid);
+}
+BENCHMARK(transform_pair)->ArgsProduct({{128, 150, 256}, {0, 1}, {0, 1}})->ArgNames({"n", "cosine", "measure"});
+
+void x_solves(benchmark::State& state) {
+  Box box(static_cast<int>(state.range(0)));
+  const RowHelmholtz solve(box.grid.nx(), 0.5, LineEnds::periodic, 0, 0);
+  for (auto _ : state)
+    for (int j = 0; j < box.grid.ny(); ++j) solve.solve(box.u.view().at_row(j, 0));
+  count_cells(state, box.grid);
+}
+BENCHMARK(x_solves)->Arg(128)->Arg(256);
+
+void y_solves(benchmark::State& state) {
+  Box box(static_cast<int>(state.range(0)));
+  const PlaneHelmholtz solve(box.grid.ny(), 0.5, LineEnds::periodic, 0, 0);
+  std::vector<double> work(2 * static_cast<std::size_t>(box.grid.nx()));
+  for (auto _ : state) solve.solve(box.u.view().at_row(0, 0), box.grid.nx(), box.u.row(), work.data());
+  count_cells(state, box.grid);
+}
+BENCHMARK(y_solves)->Arg(128)->Arg(256);
+
+}  // namespace
+}  // namespace pliant
