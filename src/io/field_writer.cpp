@@ -91,14 +91,13 @@ std::string describe_grid(const Grid& grid, int bytes, const std::string& file) 
 }  // namespace
 
 FieldWriter::FieldWriter(const std::filesystem::path& output, const Grid& grid, Precision precision)
-    : output_(output), grid_(grid), precision_(precision), series_(output / "fields.xdmf", "fields") {
-  do_on_root(grid.ranks(), [&] { std::filesystem::create_directories(output_ / "fields"); });
-}
+    : output_(output), grid_(grid), precision_(precision), series_(output / "fields.xdmf", "fields") {}
 
 void FieldWriter::write(const FlowState& state, double density, Moment moment) {
   const auto name = fmt::format("fields/fields_{:06d}.h5", moment.step);
   const auto path = output_ / name;
   const auto temporary = temporary_name(path);
+  do_on_root(grid_.ranks(), [&] { std::filesystem::create_directories(path.parent_path()); });
   try {
     if (precision_ == Precision::single) write_file<float>(temporary, grid_, state, density, moment);
     else write_file<double>(temporary, grid_, state, density, moment);

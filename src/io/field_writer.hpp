@@ -23,11 +23,11 @@ struct Moment {
 /// cell.
 class FieldWriter {
  public:
-  /// Collective. Makes the folder. Throws RunError.
+  /// Nothing is written yet.
   FieldWriter(const std::filesystem::path& output, const Grid& grid, Precision precision = Precision::single);
 
-  /// Collective. All ranks write their planes to a temporary file, which the root then gives its name.
-  /// Throws RunError on all ranks; then the snapshots written before are still whole.
+  /// Collective. Makes the folder if need be; all ranks write their planes to a temporary file, which the root then
+  /// gives its name. Throws RunError on all ranks; then the snapshots written before are still whole.
   void write(const FlowState& state, double density, Moment moment);
 
  private:

@@ -25,14 +25,13 @@ SurfaceWriter::SurfaceWriter(const std::filesystem::path& output, std::string na
       name_(std::move(name)),
       triangles_(std::move(triangles)),
       ranks_(ranks),
-      series_(output / (name_ + ".xdmf"), name_) {
-  do_on_root(ranks_, [&] { std::filesystem::create_directories(output_ / "surfaces"); });
-}
+      series_(output / (name_ + ".xdmf"), name_) {}
 
 void SurfaceWriter::write(const SurfaceSnapshot& snapshot, Moment moment) {
   const auto file = fmt::format("surfaces/{}_{:06d}.h5", name_, moment.step);
   do_on_root(ranks_, [&] {
     const auto temporary = temporary_name(output_ / file);
+    std::filesystem::create_directories(temporary.parent_path());
     try {
       write_file(temporary, snapshot, moment);
       rename_into_place(temporary, output_ / file);

@@ -23,7 +23,7 @@ struct SurfaceSnapshot {
 /// and the attributes `time` and `step`, all in double precision.
 class SurfaceWriter {
  public:
-  /// Collective. Makes the folder. Throws RunError.
+  /// Nothing is written yet.
   SurfaceWriter(const std::filesystem::path& output, std::string name, std::vector<std::array<int, 3>> triangles,
                 const Communicator& ranks);
 
