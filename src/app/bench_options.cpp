@@ -9,9 +9,7 @@ namespace {
 template <class Value>
 CLI::Option* add_choice(CLI::App& app, const std::string& name, Value& value, const std::map<std::string, Value>& words,
                         const std::string& doc) {
-  return app.add_option(name, value, doc)
-      ->transform(CLI::Transformer(words, CLI::ignore_case).description(""))
-      ->check(CLI::IsMember(words));
+  return app.add_option(name, value, doc)->transform(CLI::CheckedTransformer(words).description(""))->type_name("WORD");
 }
 }  // namespace
 

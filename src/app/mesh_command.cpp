@@ -40,14 +40,11 @@ void add_mesh_command(CLI::App& app, Action& action) {
   sphere->add_option("--frequency", arguments->frequency, "Parts of each edge of the icosahedron")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
-  sphere->add_option("--radius", arguments->radius, "Of the sphere")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
+  sphere->add_option("--radius", arguments->radius, "Of the sphere")->check(CLI::PositiveNumber)->capture_default_str();
   sphere->add_option("-o,--output", arguments->output, "The file to write: .gts, .stl, .obj or .ply")->required();
   sphere->callback([arguments, &action] {
-    action = on_root([arguments] {
-      write_and_tell(arguments->output, make_icosphere(arguments->frequency, arguments->radius));
-    });
+    action = on_root(
+        [arguments] { write_and_tell(arguments->output, make_icosphere(arguments->frequency, arguments->radius)); });
   });
 
   auto* info = command->add_subcommand("info", "Counts, area, volume, edges, angles, and whether it is sound");

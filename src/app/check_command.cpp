@@ -1,0 +1,97 @@
+#include <fmt/format.h>
+#include <mpi.h>
+
+#include <cmath>
+#include <memory>
+
+#include "app/command.hpp"
+#include "app/load_case.hpp"
+#include "app/memory_estimate.hpp"
+#include "config/print_case.hpp"
+#include "core/error.hpp"
+#include "flow/flow_solver.hpp"
+#include "simulation/bodies.hpp"
+#include "simulation/time_step.hpp"
+
+namespace pliant {
+namespace {
+struct CheckArguments {
+  CaseArguments input;
+  int ranks = 0;  // 0: those that run
+};
+
+/// A bound on |u|/dx + |v|/dy + |w|/dz of the initial flow, known without computing it.
+double initial_rate(const InitialConfig& initial, const Grid& grid) {
+  const Vec3 h{grid.dx(), grid.dy(), grid.smallest_dz()};
+  const double a = std::abs(initial.amplitude);
+  const Vec3 mean{std::abs(initial.velocity.x), std::abs(initial.velocity.y), std::abs(initial.velocity.z)};
+  Vec3 speed;
+  switch (initial.flow) {
+    case InitialFlow::rest:
+    case InitialFlow::couette:
+      break;  // Couette: the walls are the fastest
+    case InitialFlow::uniform:
+      speed = mean;
+      break;
+    case InitialFlow::poiseuille:
+      speed[static_cast<int>(initial.direction)] = a;
+      break;
+    case InitialFlow::taylor_green:
+      for (int d = 0; d < 3; ++d) speed[d] = d == static_cast<int>(initial.normal) ? 0 : a;
+      break;
+    case InitialFlow::perturbed:
+      speed = mean + Vec3{a, a, a};
+      break;
+  }
+  return speed.x / h.x + speed.y / h.y + speed.z / h.z;
+}
+
+std::string number(double value) { return std::isfinite(value) ? fmt::format("{:.6g}", value) : "none"; }
+
+void print_memory(const CaseConfig& config, int ranks) {
+  const auto memory = estimate_memory(config, ranks);
+  fmt::print(
+      "# memory of a rank: {:.4g} MB for the flow ({:.1f} doubles a cell; {} of {} planes on the fullest of {} "
+      "rank{})\n",
+      memory.flow_bytes / 1e6, memory.doubles_per_cell, memory.planes, config.box.cells[2], ranks,
+      ranks == 1 ? "" : "s");
+}
+
+void print_steps(const CaseConfig& config) {
+  const Grid grid(config.box, config.boundary, Communicator(MPI_COMM_SELF));
+  const double viscous = viscous_step_limit(grid, config.fluid.viscosity / config.fluid.density, config.time.viscous);
+  auto adaptive = config;
+  adaptive.time.step.reset();
+  const auto limits = step_limits(adaptive, grid, initial_rate(config.initial, grid), viscous);
+  const auto ruling = step_limits(config, grid, initial_rate(config.initial, grid), viscous);
+  const double step = ruling.smallest();
+  fmt::print("# time-step limits at the start:\n");
+  fmt::print("#   convective {} (Courant number {:.4g})\n", number(limits.convective), config.time.cfl);
+  fmt::print("#   viscous    {}\n", number(limits.viscous));
+  const Bodies bodies(config);
+  for (std::size_t i = 0; i < bodies.size(); ++i) print_springs(config.bodies[i], bodies.all()[i], step);
+  fmt::print("# the fluid's step: {}, ruled by {}\n", number(step), ruling.ruling());
+}
+
+int check(const CheckArguments& arguments, const Communicator& communicator) {
+  const int ranks = arguments.ranks > 0 ? arguments.ranks : communicator.size();
+  const auto config = load_case(arguments.input, ranks);
+  if (!communicator.is_root()) return exit_success;
+  fmt::print("{}\n# --- The case is sound.\n", to_toml(config));
+  print_memory(config, ranks);
+  print_steps(config);
+  return exit_success;
+}
+}  // namespace
+
+void add_check_command(CLI::App& app, Action& action) {
+  auto arguments = std::make_shared<CheckArguments>();
+  auto* command =
+      app.add_subcommand("check", "Read and validate a case; print it with all defaults, its memory and time step");
+  add_case_arguments(*command, arguments->input);
+  command->add_option("--ranks", arguments->ranks, "Check for a run on so many ranks")->check(CLI::PositiveNumber);
+  command->callback(
+      [arguments, &action] { action = [arguments](const Communicator& ranks) { return check(*arguments, ranks); }; });
+}
+
+}  // namespace pliant
