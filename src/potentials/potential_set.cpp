@@ -1,0 +1,26 @@
+#include "potentials/potential_set.hpp"
+
+namespace pliant {
+
+void PotentialSet::add_forces(ShapeState& shape, std::span<const Vec3> positions, std::span<Vec3> forces) const {
+  shape.update(positions);
+  for (const Potential& potential : potentials_)
+    std::visit([&](const auto& p) { p.add_forces(shape, forces); }, potential);
+}
+
+std::vector<std::pair<std::string, double>> PotentialSet::energies(const TriangleMesh& mesh,
+                                                                   std::span<const Vec3> positions) const {
+  const ShapeState shape(mesh, positions);
+  std::vector<std::pair<std::string, double>> result;
+  for (const Potential& potential : potentials_)
+    std::visit([&](const auto& p) { result.emplace_back(p.name, p.energy(shape)); }, potential);
+  return result;
+}
+
+double PotentialSet::energy(const TriangleMesh& mesh, std::span<const Vec3> positions) const {
+  double sum = 0;
+  for (const auto& [name, value] : energies(mesh, positions)) sum += value;
+  return sum;
+}
+
+}  // namespace pliant
