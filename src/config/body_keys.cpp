@@ -29,7 +29,7 @@ BodyKey file_key() {
   using Codec = ValueCodec<std::filesystem::path>;
   BodyKey key;
   key.path = "surface.file";
-  key.doc = "a triangle mesh read from a file (GTS, STL, OBJ or PLY)";
+  key.doc = "a triangle mesh read from a file (GTS, STL or OBJ)";
   key.type = Codec::type_name();
   key.legal = Codec::legal({});
   key.excludes = {"surface.shape", "surface.frequency", "surface.radius", "surface.diameter"};
@@ -120,13 +120,20 @@ void add_motion(std::vector<BodyKey>& keys) {
 }
 
 void add_traction(std::vector<BodyKey>& keys) {
+  const auto is_drag = [](const BodyConfig& b) { return b.traction.form == TractionForm::drag; };
   keys.push_back(make_key<BodyConfig>({"traction.form", "", "how the flow loads the surface"},
                                       [](auto& b) { return &b.traction.form; }));
   keys.push_back(only_when<BodyConfig>(
       make_key<BodyConfig>(
           {"traction.coefficient", "", "c_d in the drag c_d mu A / R of a vertex that stands for the area A"},
           [](auto& b) { return &b.traction.coefficient; }, positive()),
-      "traction.form is \"drag\"", [](const BodyConfig& b) { return b.traction.form == TractionForm::drag; }));
+      "traction.form is \"drag\"", is_drag));
+  keys.push_back(only_when<BodyConfig>(
+      make_key<BodyConfig>({"traction.area", "",
+                            "area A of the drag: of the reference shape (networks) or the present one (liquid "
+                            "interfaces)"},
+                           [](auto& b) { return &b.traction.area; }),
+      "traction.form is \"drag\"", is_drag));
   keys.push_back(only_when<BodyConfig>(
       make_key<BodyConfig>(
           {"traction.probe_length", "length", "how far from the surface the flow is sampled; 0: the mean grid spacing"},

@@ -84,9 +84,12 @@ struct FileSurface {
 using SurfaceSpec = std::variant<SphereSurface, FileSurface>;
 
 enum class TractionForm { none, drag, one_sided, gradient };
+/// Whose area a vertex's drag counts: a network's drag belongs to its material, a liquid interface's to its present area.
+enum class DragArea { reference, current };
 struct TractionConfig {
   TractionForm form = TractionForm::one_sided;
   double coefficient = 100.0;  ///< drag: c_d in c = c_d mu A_node / R
+  DragArea area = DragArea::reference;
   double probe_length = 0.0;   ///< one-sided, gradient: 0 means the mean grid spacing
 };
 

@@ -38,6 +38,11 @@ Words<TractionForm> words_of<TractionForm>() {
 }
 
 template <>
+Words<DragArea> words_of<DragArea>() {
+  return {{"reference", DragArea::reference}, {"current", DragArea::current}};
+}
+
+template <>
 Words<ReferenceAngle> words_of<ReferenceAngle>() {
   return {{"initial", ReferenceAngle::initial}, {"flat", ReferenceAngle::flat}};
 }

@@ -25,6 +25,8 @@ Words<ViscousMode> words_of<ViscousMode>();
 template <>
 Words<TractionForm> words_of<TractionForm>();
 template <>
+Words<DragArea> words_of<DragArea>();
+template <>
 Words<ReferenceAngle> words_of<ReferenceAngle>();
 template <>
 Words<MotionKind> words_of<MotionKind>();
