@@ -2,8 +2,7 @@
 
 namespace pliant {
 
-void PotentialSet::add_forces(ShapeState& shape, std::span<const Vec3> positions, std::span<Vec3> forces) const {
-  shape.update(positions);
+void PotentialSet::add_forces(const ShapeState& shape, std::span<Vec3> forces) const {
   for (const Potential& potential : potentials_)
     std::visit([&](const auto& p) { p.add_forces(shape, forces); }, potential);
 }

@@ -24,8 +24,8 @@ class PotentialSet {
   bool empty() const { return potentials_.empty(); }
   std::span<const Potential> potentials() const { return potentials_; }
 
-  /// Adds the forces of all potentials, n_vertices of each array.
-  void add_forces(ShapeState& shape, std::span<const Vec3> positions, std::span<Vec3> forces) const;
+  /// Adds the forces of all potentials at the shape's positions to `forces`, n_vertices of them.
+  void add_forces(const ShapeState& shape, std::span<Vec3> forces) const;
   /// Name and energy of each potential, in the order they were added.
   std::vector<std::pair<std::string, double>> energies(const TriangleMesh& mesh, std::span<const Vec3> positions) const;
   double energy(const TriangleMesh& mesh, std::span<const Vec3> positions) const;

@@ -1,0 +1,16 @@
+#pragma once
+#include "config/case_config.hpp"
+#include "structure/deformable_body.hpp"
+#include "transfer/flow_sample.hpp"
+
+namespace pliant {
+
+/// Fraction of the stability limit that a substep takes: the limit is that of the start, and bodies stiffen as they deform.
+inline constexpr double substep_safety = 0.5;
+
+/// Moves a body through one fluid step in the undisturbed flow; the fluid does not feel it. Collective over the ranks,
+/// which all move their copy of the body alike. A fixed body stays. Returns the number of substeps.
+/// Throws RunError if the motion breaks down or the body leaves the box.
+int advance_one_way(DeformableBody& body, const FlowSampler& flow, const FluidConfig& fluid, double step);
+
+}  // namespace pliant

@@ -1,0 +1,77 @@
+#include "loads/traction.hpp"
+
+#include "mesh/geometry.hpp"
+
+namespace pliant {
+namespace {
+
+Vec3 unit_normal(const ShapeState& shape, std::size_t face) {
+  return shape.inverse_lengths()[face] * shape.face_vectors()[face];
+}
+
+double area(const ShapeState& shape, std::size_t face) { return 0.5 / shape.inverse_lengths()[face]; }
+
+std::vector<Vec3> probe_ends(const DeformableBody& body) {
+  const auto normals = face_normals(body.mesh, body.positions);
+  auto points = face_centroids(body.mesh, body.positions);
+  for (std::size_t f = 0; f < points.size(); ++f) points[f] += body.traction.probe_length * normals[f];
+  return points;
+}
+
+}  // namespace
+
+Traction::Traction(const DeformableBody& body, const FlowSampler& flow, const FluidConfig& fluid)
+    : viscosity_(fluid.viscosity) {
+  if (body.traction.form == TractionForm::none) return;
+  points_ = body.traction.form == TractionForm::drag ? body.positions : probe_ends(body);
+  samples_.resize(points_.size());
+  flow.sample(points_, samples_);
+}
+
+void Traction::evaluate(const DeformableBody& body, const ShapeState& shape, VertexLoads& loads) const {
+  loads.assign(body.positions.size());
+  switch (body.traction.form) {
+    case TractionForm::none: return;
+    case TractionForm::drag: return evaluate_drag(body, shape, loads);
+    case TractionForm::one_sided: return evaluate_one_sided(body, shape, loads);
+    case TractionForm::gradient: return evaluate_gradient(shape, loads);
+  }
+}
+
+void Traction::evaluate_drag(const DeformableBody& body, const ShapeState& shape, VertexLoads& loads) const {
+  const double scale = body.traction.coefficient * viscosity_ / body.radius;
+  for (std::size_t v = 0; v < points_.size(); ++v) {
+    loads.drag[v] = scale * body.reference_areas[v];
+    loads.flow_velocities[v] = velocity_at(v, shape.positions()[v]);
+  }
+}
+
+void Traction::evaluate_one_sided(const DeformableBody& body, const ShapeState& shape, VertexLoads& loads) const {
+  const auto faces = body.mesh.vertices_of_face();
+  const double length = body.traction.probe_length;
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    const Vec3 normal = unit_normal(shape, f);
+    const double third = area(shape, f) / 3.0, drag = viscosity_ * third / length;
+    const Vec3 velocity = velocity_at(f, face_centroid(faces[f], shape.positions()) + length * normal);
+    for (int v : faces[f]) {
+      loads.forces[v] -= (samples_[f].pressure * third) * normal;
+      loads.drag[v] += drag;
+      loads.flow_velocities[v] += drag * velocity;
+    }
+  }
+  for (std::size_t v = 0; v < loads.drag.size(); ++v) loads.flow_velocities[v] *= 1.0 / loads.drag[v];
+}
+
+void Traction::evaluate_gradient(const ShapeState& shape, VertexLoads& loads) const {
+  const auto faces = shape.mesh().vertices_of_face();
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    const Vec3 normal = unit_normal(shape, f);
+    const Mat3& gradient = samples_[f].gradient;
+    const Vec3 along = gradient * normal;
+    const Vec3 across = normal.x * gradient[0] + normal.y * gradient[1] + normal.z * gradient[2];
+    const Vec3 force = (area(shape, f) / 3.0) * (viscosity_ * (along + across) - samples_[f].pressure * normal);
+    for (int v : faces[f]) loads.forces[v] += force;
+  }
+}
+
+}  // namespace pliant

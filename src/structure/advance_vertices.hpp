@@ -1,0 +1,19 @@
+#pragma once
+#include "structure/deformable_body.hpp"
+#include "structure/vertex_loads.hpp"
+
+namespace pliant {
+
+/// One substep of m x'' = F_int + F_load + c (u - v) - d v, semi-implicit Euler with the drag c and the damping d implicit:
+///   v' = (v + h/m (F_int + F_load + c u)) / (1 + h (c + d)/m),  x' = x + h v'.
+/// Symplectic without drag; with it the final slip is exact for any h. `shape` must hold the body's present positions;
+/// afterwards body.forces are F_int + F_load of the start of the substep, and `shape` must be updated.
+void advance_vertices(DeformableBody& body, const ShapeState& shape, const VertexLoads& loads, double step);
+
+/// m v^2 / 2 of all vertices.
+double kinetic_energy(const DeformableBody& body);
+
+/// Throws RunError naming the body and the likely cause if a position is not finite.
+void require_finite(const DeformableBody& body);
+
+}  // namespace pliant

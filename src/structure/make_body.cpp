@@ -1,0 +1,75 @@
+#include "structure/make_body.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "core/error.hpp"
+#include "mesh/geometry.hpp"
+#include "mesh/read_surface.hpp"
+#include "mesh/shapes/icosphere.hpp"
+#include "structure/stable_time_step.hpp"
+
+namespace pliant {
+
+Surface load_surface(const BodyConfig& config, const std::filesystem::path& folder) {
+  double scale = 1;
+  const auto load = [&]() -> Surface {
+    if (const auto* sphere = std::get_if<SphereSurface>(&config.surface))
+      return make_icosphere(sphere->frequency, sphere->radius);
+    const auto& file = std::get<FileSurface>(config.surface);
+    scale = file.scale;
+    return read_surface(folder / file.file, Closure::closed);
+  };
+  Surface surface = load();
+  for (Vec3& x : surface.positions) x = scale * x + config.center;
+  return surface;
+}
+
+PotentialSet make_potentials(const PotentialsConfig& config, const TriangleMesh& mesh, std::span<const Vec3> reference) {
+  PotentialSet set;
+  if (config.edge)
+    set.add(EdgeSprings::uniform(mesh, reference, config.edge->stiffness, config.edge->rest_length));
+  if (config.bending)
+    set.add(config.bending->reference == ReferenceAngle::initial
+                ? Bending::about_shape(mesh, reference, config.bending->stiffness)
+                : Bending::about_flat(mesh, config.bending->stiffness));
+  if (config.volume) set.add(VolumePenalty{config.volume->stiffness, enclosed_volume(mesh, reference)});
+  if (config.area) set.add(FaceAreaPenalty{config.area->stiffness, face_areas(mesh, reference)});
+  if (config.total_area) set.add(TotalAreaPenalty{config.total_area->stiffness, total_area(mesh, reference)});
+  if (const auto& tension = config.surface_tension) {
+    const double control =
+        tension->mesh_control > 0 ? tension->mesh_control : SurfaceTension::balanced_control(tension->sigma);
+    set.add(SurfaceTension{tension->sigma, control});
+  }
+  return set;
+}
+
+DeformableBody make_body(const BodyConfig& config, const BodySetting& setting) {
+  if (!(config.mass_per_vertex > 0))
+    throw InputError(fmt::format("body '{}': mass_per_vertex = {} must be positive", config.name, config.mass_per_vertex));
+  Surface surface = load_surface(config, setting.folder);
+  const std::size_t n = surface.positions.size();
+  DeformableBody body;
+  body.name = config.name;
+  body.motion = config.motion;
+  body.reference_areas = vertex_areas(surface.mesh, surface.positions);
+  const double volume = enclosed_volume(surface.mesh, surface.positions);
+  body.radius = std::cbrt(3.0 * volume / (4.0 * std::numbers::pi));
+  body.potentials = make_potentials(config.potentials, surface.mesh, surface.positions);
+  body.velocities.resize(n);
+  body.forces.resize(n);
+  body.masses.assign(n, config.mass_per_vertex);
+  body.damping = config.damping;
+  body.traction = config.traction;
+  if (body.traction.probe_length <= 0) body.traction.probe_length = setting.mean_spacing;
+  body.substeps = config.substeps;
+  body.reference = surface.positions;
+  body.positions = std::move(surface.positions);
+  body.mesh = std::move(surface.mesh);
+  if (body.motion == MotionKind::deformable) body.largest_frequency = find_largest_frequency(body);
+  return body;
+}
+
+}  // namespace pliant
