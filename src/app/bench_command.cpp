@@ -24,9 +24,12 @@ BoundaryConfig sides_of(BenchBoundary boundary) {
 
 const char* word_of(ViscousMode mode) {
   switch (mode) {
-    case ViscousMode::explicit_rk3: return "explicit";
-    case ViscousMode::implicit_z: return "implicit-z";
-    case ViscousMode::implicit: return "implicit";
+    case ViscousMode::explicit_rk3:
+      return "explicit";
+    case ViscousMode::implicit_z:
+      return "implicit-z";
+    case ViscousMode::implicit:
+      return "implicit";
   }
   return "";
 }

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <mpi.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -9,9 +10,11 @@
 #include "app/memory_estimate.hpp"
 #include "config/print_case.hpp"
 #include "core/error.hpp"
+#include "coupling/one_way.hpp"
 #include "flow/flow_solver.hpp"
-#include "simulation/bodies.hpp"
 #include "simulation/time_step.hpp"
+#include "structure/make_body.hpp"
+#include "structure/stable_time_step.hpp"
 
 namespace pliant {
 namespace {
@@ -57,6 +60,27 @@ void print_memory(const CaseConfig& config, int ranks) {
       ranks == 1 ? "" : "s");
 }
 
+/// The drag of every vertex over its velocity where the traction is a drag; else none that helps stability.
+std::vector<double> drag_of(const DeformableBody& body, double viscosity) {
+  std::vector<double> drag(body.masses.size(), 0.0);
+  if (body.traction.form != TractionForm::drag) return drag;
+  for (std::size_t i = 0; i < drag.size(); ++i)
+    drag[i] = body.traction.coefficient * viscosity * body.reference_areas[i] / body.radius;
+  return drag;
+}
+
+void print_springs(const CaseConfig& config, const BodyConfig& body_config, const Grid& grid, double step) {
+  const double mean_dz = grid.size().z / grid.cells()[2];
+  const auto body = make_body(body_config, {config.folder, (grid.dx() + grid.dy() + mean_dz) / 3});
+  if (body.motion == MotionKind::fixed) return;
+  const double limit = stable_time_step(body, drag_of(body, config.fluid.viscosity));
+  const double needed = std::max(1.0, std::ceil(step / (substep_safety * limit)));
+  fmt::print("#   springs    {} for body {} of {} vertices and {} faces: {} substeps in a step of the fluid{}\n",
+             number(limit), body.name, body.mesh.n_vertices(), body.mesh.n_faces(),
+             body.substeps ? static_cast<double>(*body.substeps) : needed,
+             body.substeps && *body.substeps < needed ? " (as given; stability asks for more)" : "");
+}
+
 void print_steps(const CaseConfig& config) {
   const Grid grid(config.box, config.boundary, Communicator(MPI_COMM_SELF));
   const double viscous = viscous_step_limit(grid, config.fluid.viscosity / config.fluid.density, config.time.viscous);
@@ -68,8 +92,7 @@ void print_steps(const CaseConfig& config) {
   fmt::print("# time-step limits at the start:\n");
   fmt::print("#   convective {} (Courant number {:.4g})\n", number(limits.convective), config.time.cfl);
   fmt::print("#   viscous    {}\n", number(limits.viscous));
-  const Bodies bodies(config);
-  for (std::size_t i = 0; i < bodies.size(); ++i) print_springs(config.bodies[i], bodies.all()[i], step);
+  for (const auto& body : config.bodies) print_springs(config, body, grid, step);
   fmt::print("# the fluid's step: {}, ruled by {}\n", number(step), ruling.ruling());
 }
 

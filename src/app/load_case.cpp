@@ -5,15 +5,14 @@
 #include "config/read_case.hpp"
 #include "config/validate.hpp"
 #include "core/error.hpp"
-#include "mesh/read_surface.hpp"
+#include "structure/make_body.hpp"
 
 namespace pliant {
 namespace {
 void check_surface_file(const CaseConfig& config, std::size_t index, std::vector<std::string>& problems) {
   const auto& body = config.bodies[index];
-  const auto* file = std::get_if<FileSurface>(&body.surface);
-  if (!file) return;  // the reader of the case knows how far a built-in shape reaches
-  const auto surface = read_surface(config.folder / file->file, Closure::closed);
+  if (!std::holds_alternative<FileSurface>(body.surface)) return;  // the case's reader knows how far a sphere reaches
+  const auto surface = load_surface(body, config.folder);
   Vec3 lower = surface.positions.front(), upper = lower;
   for (const Vec3 x : surface.positions) {
     for (int d = 0; d < 3; ++d) {
@@ -21,7 +20,7 @@ void check_surface_file(const CaseConfig& config, std::size_t index, std::vector
       upper[d] = std::max(upper[d], x[d]);
     }
   }
-  check_body_extent(config, index, body.center + file->scale * lower, body.center + file->scale * upper, problems);
+  check_body_extent(config, index, lower, upper, problems);
 }
 }  // namespace
 
