@@ -11,6 +11,15 @@ Vec3 unit_normal(const ShapeState& shape, std::size_t face) {
 
 double area(const ShapeState& shape, std::size_t face) { return 0.5 / shape.inverse_lengths()[face]; }
 
+/// A third of the area of every face to each of its vertices.
+void add_vertex_areas(const ShapeState& shape, std::span<double> areas) {
+  const auto faces = shape.mesh().vertices_of_face();
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    const double third = area(shape, f) / 3.0;
+    for (int v : faces[f]) areas[v] += third;
+  }
+}
+
 std::vector<Vec3> probe_ends(const DeformableBody& body) {
   const auto normals = face_normals(body.mesh, body.positions);
   auto points = face_centroids(body.mesh, body.positions);
@@ -40,8 +49,13 @@ void Traction::evaluate(const DeformableBody& body, const ShapeState& shape, Ver
 
 void Traction::evaluate_drag(const DeformableBody& body, const ShapeState& shape, VertexLoads& loads) const {
   const double scale = body.traction.coefficient * viscosity_ / body.radius;
+  if (body.traction.area == DragArea::current) {
+    add_vertex_areas(shape, loads.drag);
+  } else {
+    loads.drag = body.reference_areas;
+  }
   for (std::size_t v = 0; v < points_.size(); ++v) {
-    loads.drag[v] = scale * body.reference_areas[v];
+    loads.drag[v] *= scale;
     loads.flow_velocities[v] = velocity_at(v, shape.positions()[v]);
   }
 }
