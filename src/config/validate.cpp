@@ -76,7 +76,7 @@ class Validator {
   void check_initial_flow() {
     using enum InitialFlow;
     const auto& initial = config_.initial;
-    if (!trusted({"initial.flow", "initial.normal", "initial.direction"})) return;
+    if (!trusted({"initial.flow", "initial.normal", "initial.direction", "initial.velocity"})) return;
     const int normal = index_of(initial.normal);
     const auto word = word_for(initial.flow);
     if ((initial.flow == couette || initial.flow == poiseuille) && !has_walls(config_.boundary, normal))
@@ -86,6 +86,16 @@ class Validator {
     if (initial.flow == poiseuille && initial.direction == initial.normal)
       complain("initial.direction", fmt::format("is {0}, and so is initial.normal; the flow must run along the walls",
                                                 word_for(initial.direction)));
+    if (initial.flow == poiseuille && initial.direction != initial.normal &&
+        !is_periodic(config_.boundary, index_of(initial.direction)))
+      complain("initial.direction", fmt::format("is {0}, but {0} is not periodic; the flow needs a way through the box",
+                                                word_for(initial.direction)));
+    for (int d = 0; d < 3; ++d) {
+      const bool has_mean = initial.flow == uniform || initial.flow == perturbed;
+      if (!has_mean || initial.velocity[d] == 0 || is_periodic(config_.boundary, d)) continue;
+      complain("initial.velocity", fmt::format("has the component {} along {}, which is not periodic; it must be 0",
+                                               initial.velocity[d], name_of(d)));
+    }
     if (initial.flow != taylor_green) return;
     for (int d = 0; d < 3; ++d) {
       const bool bounded = !is_periodic(config_.boundary, d);

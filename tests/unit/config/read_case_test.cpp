@@ -206,6 +206,8 @@ TEST(Validate, FindsWhatSingleKeysCannotSay) {
   EXPECT_THAT(problems_of("[boundary]\nz = { type = \"wall\", velocity = [0, 0, 1] }"),
               ElementsAre(HasSubstr("normal to the wall"), HasSubstr("normal to the wall")));
   EXPECT_THAT(problems_of("[initial]\nflow = \"couette\""), ElementsAre(HasSubstr("needs walls")));
+  EXPECT_THAT(problems_of("[boundary]\ny = \"free-slip\"\n[initial]\nflow = \"uniform\"\nvelocity = [1, 2, 0]"),
+              ElementsAre(HasSubstr("case.toml:5: initial.velocity has the component 2 along y")));
   EXPECT_THAT(problems_of("[boundary]\nx = \"wall\"\n[forcing]\nbulk_velocity = { axis = \"x\", value = 1 }"),
               ElementsAre(HasSubstr("case.toml:4: forcing.bulk_velocity.axis is x, but x is not periodic")));
   EXPECT_THAT(problems_of("[box]\ncells = [8, 8, 3]", {}, 4),
