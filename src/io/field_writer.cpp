@@ -8,6 +8,7 @@
 #include "io/agree.hpp"
 #include "io/atomic_file.hpp"
 #include "io/hdf5_file.hpp"
+#include "io/shared_file.hpp"
 
 namespace pliant {
 namespace {
@@ -52,24 +53,46 @@ Nodes nodes_of(const Grid& grid) {
   return nodes;
 }
 
+struct Places {
+  std::uint64_t velocity = 0, pressure = 0;  // bytes from the start of the file
+};
+
+// The file with all but the contents of the two large data sets. By the root.
 template <class Real>
-void write_file(const std::filesystem::path& path, const Grid& grid, const FlowState& state, double density,
-                Moment moment) {
-  const auto flow = center<Real>(grid, state, density);
-  const auto nodes = nodes_of(grid);
+Places write_frame(const std::filesystem::path& path, const Grid& grid, Moment moment) {
   const auto& n = grid.cells();
-  const std::vector<hsize_t> cells{static_cast<hsize_t>(n[2]), static_cast<hsize_t>(n[1]), static_cast<hsize_t>(n[0])};
+  const Hdf5File::Shape cells{static_cast<hsize_t>(n[2]), static_cast<hsize_t>(n[1]), static_cast<hsize_t>(n[0])};
   auto vectors = cells;
   vectors.push_back(3);
-  const Hdf5Rows rows{static_cast<hsize_t>(grid.slab().begin), static_cast<hsize_t>(grid.nz())};
-  auto file = Hdf5File::create_shared(path, grid.ranks());
+  const auto nodes = nodes_of(grid);
+  const std::uint64_t overhead = 65536 + 8 * (nodes.x.size() + nodes.y.size() + nodes.z.size());
+  const std::uint64_t bytes = overhead + 4 * sizeof(Real) * cells[0] * cells[1] * cells[2];
+  set_space_aside(path, bytes);
+  Hdf5File file(path, Backing::disk);
   file.write_attribute("time", moment.time);
   file.write_attribute("step", static_cast<std::int64_t>(moment.step));
   file.write("x", nodes.x, {nodes.x.size()});
   file.write("y", nodes.y, {nodes.y.size()});
   file.write("z", nodes.z, {nodes.z.size()});
-  file.write_rows("velocity", std::span<const Real>(flow.velocity), vectors, rows);
-  file.write_rows("pressure", std::span<const Real>(flow.pressure), cells, rows);
+  const Places places{file.reserve<Real>("velocity", vectors), file.reserve<Real>("pressure", cells)};
+  file.close();
+  // Creating the file anew has given the space back.
+  set_space_aside(path, std::filesystem::file_size(path));
+  return places;
+}
+
+template <class Real>
+void write_file(const std::filesystem::path& path, const Grid& grid, const FlowState& state, double density,
+                Moment moment) {
+  Places places;
+  do_on_root(grid.ranks(), [&] { places = write_frame<Real>(path, grid, moment); });
+  check_mpi(MPI_Bcast(&places, sizeof places, MPI_BYTE, 0, grid.ranks().handle()), "MPI_Bcast");
+  const auto flow = center<Real>(grid, state, density);
+  const auto plane = sizeof(Real) * static_cast<std::size_t>(grid.nx()) * static_cast<std::size_t>(grid.ny());
+  const auto first = static_cast<std::uint64_t>(grid.slab().begin);
+  SharedFile file(path, grid.ranks());
+  file.write(places.velocity + first * 3 * plane, std::span<const Real>(flow.velocity), 3 * plane);
+  file.write(places.pressure + first * plane, std::span<const Real>(flow.pressure), plane);
   file.close();
 }
 

@@ -45,7 +45,7 @@ void SurfaceWriter::write(const SurfaceSnapshot& snapshot, Moment moment) {
 
 void SurfaceWriter::write_file(const std::filesystem::path& path, const SurfaceSnapshot& snapshot,
                                Moment moment) const {
-  auto file = Hdf5File::create_local(path);
+  Hdf5File file(path, Backing::memory);
   file.write_attribute("time", moment.time);
   file.write_attribute("step", static_cast<std::int64_t>(moment.step));
   file.write_attribute("name", name_);

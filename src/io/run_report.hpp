@@ -1,0 +1,35 @@
+#pragma once
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "config/case_config.hpp"
+#include "config/value_codec.hpp"
+#include "parallel/communicator.hpp"
+
+namespace pliant {
+
+/// Where a run stands, for run.json.
+struct RunStatus {
+  std::string status;  ///< "running", "finished", "stopped by signal 15", "failed: ..."
+  long steps = 0;
+  double time = 0;                          ///< of the simulation
+  double wall_seconds = 0;                  ///< of the run so far
+  std::map<std::string, double> seconds{};  ///< by phase, the largest of the ranks
+};
+
+/// OUT/run.json: what ran, with what, how long, and how it ended. Not collective: the root alone has one.
+class RunReport {
+ public:
+  /// Takes down the case with every default filled in, the versions and the number of ranks; the run starts now.
+  RunReport(std::filesystem::path path, const CaseConfig& config, const Communicator& ranks);
+
+  /// Rewrites the file in one piece; any status but "running" ends the run now. Throws RunError.
+  void write(const RunStatus& status);
+
+ private:
+  std::filesystem::path path_;
+  Json content_;
+};
+
+}  // namespace pliant

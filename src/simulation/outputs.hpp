@@ -1,0 +1,59 @@
+#pragma once
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "flow/flow_solver.hpp"
+#include "io/csv_writer.hpp"
+#include "io/field_writer.hpp"
+#include "io/surface_writer.hpp"
+#include "simulation/bodies.hpp"
+#include "simulation/schedule.hpp"
+
+namespace pliant {
+
+/// One line of OUT/history.csv, in the order of its columns.
+struct HistoryRow {
+  double dt = 0, cfl = 0, divergence = 0, kinetic_energy = 0;
+  Vec3 bulk_velocity;
+  double bulk_forcing = 0;
+};
+
+enum class Urgency {
+  scheduled,  ///< what is due now
+  last        ///< every wanted series, as the run ends
+};
+
+/// All files that grow during a run: history and bodies as tables, fields and surfaces as series. Docs:
+/// docs/output-files.md. All functions are collective and throw CollectiveError when a file cannot be written.
+class Outputs {
+ public:
+  /// Starts the tables; `folder` exists and can be written.
+  Outputs(const std::filesystem::path& folder, const CaseConfig& config, const Grid& grid, const Bodies& bodies);
+
+  /// The next time at which a snapshot has to be taken.
+  double next_time(double time) const;
+  bool is_history_due(long step) const { return step % history_.every == 0; }
+
+  void write_history(Moment moment, const HistoryRow& row, const Bodies& bodies);
+  /// Writes the snapshots that are due, and none twice. True if there were any.
+  bool write_snapshots(Moment moment, const FlowSolver& flow, const Bodies& bodies, Urgency urgency);
+  /// Writes fields and surfaces whether they are wanted or not: the evidence of a run that failed.
+  void write_evidence(Moment moment, const FlowSolver& flow, const Bodies& bodies);
+
+ private:
+  void write_fields(Moment moment, const FlowSolver& flow);
+  void write_surfaces(Moment moment, const Bodies& bodies);
+
+  Communicator ranks_;
+  HistoryConfig history_;
+  Schedule fields_due_, surfaces_due_;
+  FieldWriter fields_;
+  std::vector<SurfaceWriter> surfaces_;
+  std::optional<CsvWriter> history_table_;               // on the root
+  std::vector<std::unique_ptr<CsvWriter>> body_tables_;  // on the root
+  long last_history_ = -1, last_fields_ = -1, last_surfaces_ = -1;
+};
+
+}  // namespace pliant

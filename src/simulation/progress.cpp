@@ -1,0 +1,83 @@
+#include "simulation/progress.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace pliant {
+namespace {
+
+using Seconds = std::chrono::duration<double>;
+constexpr Seconds bar_period{0.2};
+constexpr Seconds line_period{2.0};
+
+ProgressStyle resolve(ProgressStyle style) {
+  if (style != ProgressStyle::automatic) return style;
+  return isatty(STDOUT_FILENO) ? ProgressStyle::bar : ProgressStyle::lines;
+}
+
+std::string draw_bar(double fraction) {
+  constexpr int width = 20;
+  const int full = static_cast<int>(std::lround(std::clamp(fraction, 0.0, 1.0) * width));
+  return fmt::format("[{}{}]", std::string(static_cast<std::size_t>(full), '#'),
+                     std::string(static_cast<std::size_t>(width - full), '.'));
+}
+
+}  // namespace
+
+std::string format_duration(double seconds) {
+  if (!std::isfinite(seconds) || seconds > 3.6e6) return "--:--";
+  const long whole = std::lround(seconds);
+  if (whole < 3600) return fmt::format("{}:{:02}", whole / 60, whole % 60);
+  return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
+}
+
+Progress::Progress(Log log, ProgressStyle style, ProgressGoal goal)
+    : log_(std::move(log)), style_(resolve(style)), goal_(goal) {}
+
+bool Progress::is_due() const {
+  if (style_ == ProgressStyle::silent) return false;
+  return Clock::now() - last_ >= (style_ == ProgressStyle::bar ? bar_period : line_period);
+}
+
+void Progress::show(const ProgressLine& line) {
+  if (style_ == ProgressStyle::silent) return;
+  const auto now = Clock::now();
+  const auto text = describe(line, Seconds(now - last_).count());
+  last_ = now;
+  last_step_ = line.step;
+  if (style_ == ProgressStyle::lines) {
+    log_.info("{}", text);
+    return;
+  }
+  fmt::print("\r\x1b[K{}", text);
+  std::fflush(stdout);
+  is_drawn_ = true;
+}
+
+void Progress::finish() {
+  if (!is_drawn_) return;
+  fmt::print("\n");
+  std::fflush(stdout);
+  is_drawn_ = false;
+}
+
+std::string Progress::describe(const ProgressLine& line, double wall) const {
+  double fraction = goal_.end_time > 0 ? line.time / goal_.end_time : 0;
+  if (goal_.max_steps > 0)
+    fraction = std::max(fraction, static_cast<double>(line.step) / static_cast<double>(goal_.max_steps));
+  const double elapsed = Seconds(Clock::now() - start_).count();
+  const double left = fraction > 0 ? elapsed * (1 - fraction) / fraction : HUGE_VAL;
+  const auto steps = static_cast<double>(line.step - last_step_);
+  std::string speed;
+  if (steps > 0 && wall > 0)
+    speed = fmt::format("  {:.3g} steps/s  {:.3g} ns/cell", steps / wall, 1e9 * wall / (steps * goal_.cells));
+  const auto bar = style_ == ProgressStyle::bar ? draw_bar(fraction) + " " : std::string();
+  return fmt::format("{}step {}  t {:.4g}/{:.4g}  dt {:.2e}  cfl {:.3f}  div {:.1e}{}  left {}", bar, line.step,
+                     line.time, goal_.end_time, line.dt, line.cfl, line.divergence, speed, format_duration(left));
+}
+
+}  // namespace pliant

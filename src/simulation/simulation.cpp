@@ -1,0 +1,293 @@
+#include "simulation/simulation.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "core/error.hpp"
+#include "core/timer.hpp"
+#include "io/agree.hpp"
+#include "io/run_report.hpp"
+#include "simulation/output_folder.hpp"
+#include "simulation/outputs.hpp"
+#include "simulation/stop_signals.hpp"
+#include "simulation/time_step.hpp"
+#include "transfer/field_sampler.hpp"
+
+namespace pliant {
+namespace {
+
+FlowParameters flow_parameters(const CaseConfig& config) {
+  FlowParameters parameters;
+  parameters.density = config.fluid.density;
+  parameters.viscosity = config.fluid.viscosity / config.fluid.density;
+  parameters.viscous = config.time.viscous;
+  parameters.boundary = config.boundary;
+  parameters.forcing = config.forcing;
+  return parameters;
+}
+
+// What the ranks have to agree on after a step, the most urgent first; the largest of all ranks counts.
+constexpr int show_progress = 1;
+constexpr int stop_by_signal = 1000;  // plus the signal
+constexpr int body_failed = 10000;
+constexpr int flow_failed = 20000;  // above the bodies: a flow that fails takes them along
+
+// Which of the run's numbers are wanted at a step: the table's as scheduled, people's too, or both as the run ends.
+enum class Record { scheduled, shown, last };
+
+}  // namespace
+
+struct Simulation::Impl {
+  Impl(const CaseConfig& case_config, const Communicator& communicator, SimulationOptions run_options);
+
+  RunResult run(const Simulation& self, const Observer& observer);
+  RunResult loop(const Simulation& self, const Observer& observer, const StopSignals& signals);
+
+  double choose_step();
+  void advance_fluid(double dt);
+  void advance_bodies(double dt);
+  int agree_on_state(const StopSignals& signals);
+  void record(Record wanted);
+  void write_outputs(Urgency urgency);
+  bool is_at_end() const;
+  [[noreturn]] void fail(int state);
+  std::string explain_flow_failure() const;
+  void report(const std::string& status);
+  std::map<std::string, double> slowest_phases();
+
+  CaseConfig config;
+  Communicator ranks;
+  SimulationOptions options;
+  Log log;
+  std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
+  PhaseTimer timer;
+  Grid grid;
+  Bodies bodies;
+  FlowSolver flow;
+  FieldSampler sampler;
+  std::optional<Outputs> outputs;
+  std::optional<RunReport> run_report;  // on the root
+  Progress progress;
+
+  Moment now;
+  double next_event = 0;
+  double dt = 0;
+  std::optional<double> rate;  // convective, of the present flow; unknown after a step until someone asks
+  double last_cfl = 0;
+  std::string body_problem;
+};
+
+Simulation::Impl::Impl(const CaseConfig& case_config, const Communicator& communicator, SimulationOptions run_options)
+    : config(case_config),
+      ranks(communicator),
+      options(std::move(run_options)),
+      log(ranks.is_root() && options.progress != ProgressStyle::silent ? Speaker::this_rank : Speaker::silent),
+      grid(config.box, config.boundary, ranks),
+      bodies(config, grid),
+      flow(grid, flow_parameters(config)),
+      sampler(grid, {&flow.state().u, &flow.state().v, &flow.state().w, &flow.state().p}, config.fluid.density),
+      progress(log, ranks.is_root() ? options.progress : ProgressStyle::silent,
+               {config.time.end, config.time.max_steps.value_or(-1),
+                static_cast<double>(config.box.cells[0]) * config.box.cells[1] * config.box.cells[2]}) {
+  set_initial_flow(flow, config.initial);
+  prepare_output_folder(options.output, ranks);
+  outputs.emplace(options.output, config, grid, bodies);
+  do_on_root(ranks, [&] { run_report.emplace(options.output / "run.json", config, ranks); });
+  report("running");
+  timer.add("set-up", std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+}
+
+RunResult Simulation::Impl::run(const Simulation& self, const Observer& observer) {
+  StopSignals signals;
+  try {
+    const auto result = loop(self, observer, signals);
+    progress.finish();
+    if (result.end == RunEnd::signal) {
+      report(fmt::format("stopped by signal {}", result.signal));
+      log.info("stopped by signal {} at step {}, t = {:.6g}; the outputs up to here are in {}", result.signal,
+               result.steps, result.time, options.output.string());
+    } else {
+      report("finished");
+      log.info("finished at step {}, t = {:.6g}; outputs are in {}", result.steps, result.time,
+               options.output.string());
+    }
+    return result;
+  } catch (const std::exception& error) {
+    progress.finish();
+    const std::string status = fmt::format("failed: {}", error.what());
+    try {
+      if (dynamic_cast<const CollectiveError*>(&error)) report(status);
+      else if (run_report)  // other ranks may know nothing of this: no collective call can be made any more
+        run_report->write({status, now.step, now.time, 0, timer.seconds()});
+    } catch (const RunError&) {
+      // The first error is the one to tell; a full disk takes the report along.
+    }
+    throw;
+  }
+}
+
+RunResult Simulation::Impl::loop(const Simulation& self, const Observer& observer, const StopSignals& signals) {
+  record(Record::shown);
+  write_outputs(Urgency::scheduled);
+  if (observer) observer(self);
+  int state = 0;
+  while (!is_at_end() && state < stop_by_signal) {
+    dt = choose_step();
+    advance_fluid(dt);
+    advance_bodies(dt);
+
+    ++now.step;
+    now.time = dt == next_event - now.time ? next_event : now.time + dt;
+    rate.reset();
+
+    state = agree_on_state(signals);
+    if (state >= body_failed) fail(state);
+    record(state == show_progress ? Record::shown : Record::scheduled);
+    write_outputs(Urgency::scheduled);
+    if (observer) observer(self);
+  }
+  record(Record::last);
+  write_outputs(Urgency::last);
+
+  RunResult result{RunEnd::end_time, 0, now.step, now.time};
+  if (state >= stop_by_signal) {
+    result.end = RunEnd::signal;
+    result.signal = state - stop_by_signal;
+  } else if (now.time < config.time.end) {
+    result.end = RunEnd::max_steps;
+  }
+  return result;
+}
+
+bool Simulation::Impl::is_at_end() const {
+  return now.time >= config.time.end || (config.time.max_steps && now.step >= *config.time.max_steps);
+}
+
+double Simulation::Impl::choose_step() {
+  const auto scope = timer.measure("diagnostics");
+  if (!config.time.step && !rate) rate = flow.convective_rate();
+  const auto limits = step_limits(config, grid, rate.value_or(0), flow.viscous_step_limit());
+  next_event = std::min(config.time.end, outputs->next_time(now.time));
+  const double step = step_towards(limits.smallest(), next_event - now.time);
+  if (!(now.time + step > now.time))
+    throw CollectiveError(
+        fmt::format("step {} (t = {:.6g}): the time step has shrunk to {:.3g}, ruled by {}: the flow "
+                    "has become too fast to follow; look at the last fields in {}",
+                    now.step, now.time, step, limits.ruling(), options.output.string()));
+  if (rate) last_cfl = step * *rate;
+  return step;
+}
+
+void Simulation::Impl::advance_fluid(double step) {
+  const auto scope = timer.measure("fluid");
+  flow.advance(step);
+}
+
+void Simulation::Impl::advance_bodies(double step) {
+  if (bodies.size() == 0) return;
+  const auto scope = timer.measure("bodies");
+  try {
+    bodies.advance(sampler, step);
+  } catch (const RunError& error) {
+    // All ranks move the same bodies in the same flow, so all of them come here.
+    body_problem = error.what();
+  }
+}
+
+int Simulation::Impl::agree_on_state(const StopSignals& signals) {
+  int state = ranks.is_root() && progress.is_due() ? show_progress : 0;
+  if (const int signal = signals.received()) state = stop_by_signal + signal;
+  if (!body_problem.empty()) state = body_failed;
+  // The projection is global: what is not a number in one cell is in every cell after a step.
+  const auto& flow_state = std::as_const(flow).state();
+  const double probe = flow_state.u.view()(0, 0, 0) + flow_state.v.view()(0, 0, 0) + flow_state.w.view()(0, 0, 0) +
+                       flow_state.p.view()(0, 0, 0);
+  if (!std::isfinite(probe)) state = flow_failed;
+  return ranks.max(state);
+}
+
+void Simulation::Impl::record(Record wanted) {
+  const bool history = outputs->is_history_due(now.step) || wanted == Record::last;
+  const bool shown = wanted != Record::scheduled;
+  if (!history && !shown) return;
+  const auto scope = timer.measure("diagnostics");
+  if (!rate) rate = flow.convective_rate();
+  HistoryRow row;
+  row.dt = dt;
+  row.cfl = dt * *rate;
+  row.divergence = flow.largest_divergence();
+  if (history) {
+    row.kinetic_energy = flow.kinetic_energy();
+    row.bulk_velocity = flow.bulk_velocity();
+    row.bulk_forcing = flow.bulk_forcing();
+    outputs->write_history(now, row, bodies);
+  }
+  if (shown) progress.show({now.step, now.time, dt, row.cfl, row.divergence});
+}
+
+void Simulation::Impl::write_outputs(Urgency urgency) {
+  const auto scope = timer.measure("output");
+  if (outputs->write_snapshots(now, flow, bodies, urgency)) report("running");
+}
+
+void Simulation::Impl::fail(int state) {
+  const std::string where = fmt::format("step {} (t = {:.6g})", now.step, now.time);
+  const std::string what = state >= flow_failed ? explain_flow_failure() : body_problem;
+  outputs->write_evidence(now, flow, bodies);
+  throw CollectiveError(fmt::format("{}: {}. The last state is in {}", where, what, options.output.string()));
+}
+
+std::string Simulation::Impl::explain_flow_failure() const {
+  std::string text = fmt::format("the flow is not finite any more; the step was {:.3g}", dt);
+  const double viscous = flow.viscous_step_limit();
+  if (dt > viscous)
+    return text + fmt::format(
+                      ", the limit of the explicit viscous terms is {:.3g}: lower time.step, or choose "
+                      "time.viscous = \"implicit\"",
+                      viscous);
+  if (last_cfl > largest_stable_cfl)
+    return text + fmt::format(
+                      ", its Courant number about {:.3g}, the limit of the scheme {:.3g}: lower time.step or "
+                      "time.cfl",
+                      last_cfl, largest_stable_cfl);
+  return text + "; likely the step is too long or the forcing too strong: try half of time.step or time.cfl";
+}
+
+void Simulation::Impl::report(const std::string& status) {
+  const auto phases = slowest_phases();
+  const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  do_on_root(ranks, [&] { run_report->write({status, now.step, now.time, wall, phases}); });
+}
+
+std::map<std::string, double> Simulation::Impl::slowest_phases() {
+  auto mine = timer.seconds();
+  for (const auto& [phase, seconds] : flow.timer().seconds()) mine["fluid: " + phase] += seconds;
+  std::string names;
+  for (const auto& [phase, seconds] : mine) names += phase + '\n';
+  names = ranks.broadcast(names);
+  std::map<std::string, double> slowest;
+  for (std::size_t begin = 0; begin < names.size();) {
+    const auto end = names.find('\n', begin);
+    const auto phase = names.substr(begin, end - begin);
+    slowest[phase] = ranks.max(mine.contains(phase) ? mine[phase] : 0.0);
+    begin = end + 1;
+  }
+  return slowest;
+}
+
+Simulation::Simulation(const CaseConfig& config, const Communicator& ranks, SimulationOptions options)
+    : impl_(std::make_unique<Impl>(config, ranks, std::move(options))) {}
+Simulation::~Simulation() = default;
+
+RunResult Simulation::run(const Observer& observer) { return impl_->run(*this, observer); }
+const CaseConfig& Simulation::config() const { return impl_->config; }
+const FlowSolver& Simulation::flow() const { return impl_->flow; }
+const Bodies& Simulation::bodies() const { return impl_->bodies; }
+long Simulation::step() const { return impl_->now.step; }
+double Simulation::time() const { return impl_->now.time; }
+
+}  // namespace pliant

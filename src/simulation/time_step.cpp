@@ -1,0 +1,76 @@
+#include "simulation/time_step.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace pliant {
+namespace {
+
+Vec3 smallest_spacing(const Grid& grid) { return {grid.dx(), grid.dy(), grid.smallest_dz()}; }
+
+double rate_of(Vec3 velocity, Vec3 h) {
+  return std::abs(velocity.x) / h.x + std::abs(velocity.y) / h.y + std::abs(velocity.z) / h.z;
+}
+
+}  // namespace
+
+double StepLimits::smallest() const { return std::min({given, convective, acceleration, viscous, maximum, diffusion}); }
+
+std::string StepLimits::ruling() const {
+  const std::pair<double, const char*> all[] = {{given, "the given step (time.step)"},
+                                                {convective, "convection (time.cfl)"},
+                                                {acceleration, "acceleration by the forcing (time.cfl)"},
+                                                {viscous, "explicit viscous terms (time.viscous)"},
+                                                {maximum, "the upper bound (time.max_step)"},
+                                                {diffusion, "diffusion over a cell, as nothing moves"}};
+  return std::min_element(std::begin(all), std::end(all), [](auto& a, auto& b) { return a.first < b.first; })->second;
+}
+
+double prescribed_rate(const CaseConfig& config, const Grid& grid) {
+  const auto h = smallest_spacing(grid);
+  double rate = 0;
+  for (const auto& side : config.boundary)
+    if (const auto* wall = std::get_if<WallSide>(&side)) rate = std::max(rate, rate_of(wall->velocity, h));
+  if (const auto& bulk = config.forcing.bulk_velocity) {
+    Vec3 velocity;
+    velocity[static_cast<int>(bulk->axis)] = bulk->value;
+    rate = std::max(rate, rate_of(velocity, h));
+  }
+  return rate;
+}
+
+StepLimits step_limits(const CaseConfig& config, const Grid& grid, double rate, double viscous_limit) {
+  StepLimits limits;
+  const auto& time = config.time;
+  if (time.step) {
+    limits.given = *time.step;
+    return limits;
+  }
+  const auto h = smallest_spacing(grid);
+  const double fastest = std::max(rate, prescribed_rate(config, grid));
+  if (fastest > 0) limits.convective = time.cfl / fastest;
+  // After dt from rest the speed is a dt, so the Courant number a dt^2 / h.
+  const double surge = rate_of(config.forcing.acceleration, h);
+  // Once the flow has speed that is its limit; a force that friction balances must not hold the step down for ever.
+  if (surge > 0 && limits.convective > 10 * std::sqrt(time.cfl / surge))
+    limits.acceleration = std::sqrt(time.cfl / surge);
+  limits.viscous = viscous_margin * viscous_limit;
+  if (time.max_step > 0) limits.maximum = time.max_step;
+  if (!std::isfinite(limits.smallest())) {
+    const double smallest = std::min({h.x, h.y, h.z});
+    const double nu = config.fluid.viscosity / config.fluid.density;
+    limits.diffusion = nu > 0 ? smallest * smallest / nu : time.end / 100;
+  }
+  return limits;
+}
+
+double step_towards(double limit, double remaining) {
+  constexpr double tolerance = 1e-9;
+  if (!(limit < remaining)) return remaining;
+  const double steps = std::ceil(remaining / limit * (1 - tolerance));
+  const double step = remaining / steps;
+  return steps > 1 && std::abs(step - limit) <= tolerance * limit ? limit : step;
+}
+
+}  // namespace pliant
