@@ -73,7 +73,8 @@ void Traction::evaluate_one_sided(const DeformableBody& body, const ShapeState& 
       loads.flow_velocities[v] += drag * velocity;
     }
   }
-  for (std::size_t v = 0; v < loads.drag.size(); ++v) loads.flow_velocities[v] *= 1.0 / loads.drag[v];
+  for (std::size_t v = 0; v < loads.drag.size(); ++v)
+    if (loads.drag[v] > 0) loads.flow_velocities[v] *= 1.0 / loads.drag[v];
 }
 
 void Traction::evaluate_gradient(const ShapeState& shape, VertexLoads& loads) const {

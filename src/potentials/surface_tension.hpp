@@ -13,7 +13,8 @@ namespace pliant {
 /// volume, the force is (F.n) n + t, where F is the exact gradient force and t the tangential part of the springs.
 /// What is exact: the normal component at every vertex is that of -grad(sigma A), and the net force and torque are zero:
 /// the tangential field is corrected by the tangential part of a rigid motion. What is not: with the control the force
-/// is no gradient, so energy() (always sigma A) is not conserved by it. Needs a closed surface.
+/// is no gradient, so energy() (always sigma A) is not conserved by it. Needs a closed surface. Springs of rest length 0 even out every
+/// distortion of a mesh but a slide of all vertices towards one pole, which costs them nothing: do not start with one.
 struct SurfaceTension {
   static constexpr const char* name = "surface_tension";
   double sigma = 0;         ///< force / length
