@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 
 namespace pliant {
 namespace {
@@ -16,7 +17,9 @@ constexpr Seconds line_period{2.0};
 
 ProgressStyle resolve(ProgressStyle style) {
   if (style != ProgressStyle::automatic) return style;
-  return isatty(STDOUT_FILENO) ? ProgressStyle::bar : ProgressStyle::lines;
+  // Open MPI's mpirun gives the ranks a terminal of its own making, whatever it stands in front of itself.
+  const bool is_launched = std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr;
+  return isatty(STDOUT_FILENO) && !is_launched ? ProgressStyle::bar : ProgressStyle::lines;
 }
 
 std::string draw_bar(double fraction) {
