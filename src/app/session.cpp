@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <thread>
 
 #include "core/error.hpp"
@@ -41,6 +42,11 @@ int Session::end_together(int code) {
   if (started != MPI_SUCCESS || !done_in_time(request, deadline)) {
     std::fputs("pliant: other ranks did not come to the end of the run; aborting all\n", stderr);
     MPI_Abort(MPI_COMM_WORLD, code == exit_success ? exit_run_error : code);
+  }
+  // HDF5 1.10 crashes in MPI_Finalize if a file could not be closed for want of space, and would hide the exit code.
+  if (worst == exit_run_error) {
+    std::fflush(nullptr);
+    std::_Exit(worst);
   }
   if (MPI_Finalize() != MPI_SUCCESS && worst == exit_success) worst = exit_run_error;
   return worst;

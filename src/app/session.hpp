@@ -1,5 +1,5 @@
 #pragma once
-#include "parallel/communicator.hpp"
+#include <string>
 
 namespace pliant {
 
@@ -10,6 +10,7 @@ class Session {
 
   /// Ends the program on all ranks with the largest of their exit codes. Ranks that fail while others compute wait a
   /// while for them; if they do not come, because they hang in a call that will never be answered, the run is aborted.
+  /// After a failed run the process ends here.
   [[nodiscard]] int end_together(int code);
 };
 

@@ -55,6 +55,11 @@ std::vector<std::string> other_ways_of_saying(const std::string& path, const std
   return paths;
 }
 
+/// An empty table would change nothing, which is not what the user wants.
+bool says_nothing(const Scope& over, std::size_t problems_before, const CaseDocument& document) {
+  return over.entries.empty() && document.problems.size() == problems_before;
+}
+
 template <class Config>
 void lay_over(Scope& scope, const Scope& over, const std::vector<Key<Config>>& keys) {
   for (const auto& entry : over.entries) {
@@ -104,8 +109,11 @@ void apply_override(const std::string& text, CaseDocument& document) {
   const OriginOf origin_of = [&](const toml::node&) { return origin; };
   const toml::node& node = *value->get("value");
   Scope over;
+  const auto problems_before = document.problems.size();
   if (parts[0] != "body") {
     flatten(nest(parts, node), KnownPaths::of_case(), origin_of, over, document.problems);
+    if (says_nothing(over, problems_before, document))
+      document.problems.push_back(fmt::format("{}: sets no key; name the key and its value", origin));
     return lay_over(document.root, over, case_keys());
   }
   auto* body = parts.size() < 3 ? nullptr : find_body(document, parts[1]);

@@ -93,15 +93,19 @@ def interrupted(number, ranks):
     return test
 
 
-def file_limit(folder):
+def file_limit(series):
+    return lambda folder: run_into_limit(folder, CASE.replace("end = 0.05", "end = 1e6") + series + " = 1\n" + BODY)
+
+
+def run_into_limit(folder, text):
     """A limit on the size of files: writes fail as on a full disk, without the right to mount.
 
     The limit comes once the run is going: MPI's own files are larger."""
-    out = prepare(folder, ENDLESS)
+    out = prepare(folder, text)
     process = start("run", folder, "--out", out, restore_signals=False,
                     preexec_fn=lambda: signal.signal(signal.SIGXFSZ, signal.SIG_IGN))
     wait_for_rows(process, out)
-    resource.prlimit(process.pid, resource.RLIMIT_FSIZE, (4096, 4096))
+    resource.prlimit(process.pid, resource.RLIMIT_FSIZE, (2048, 2048))
     result = finish(process)
     expect(result.returncode == 3, "exit code 3 expected", result)
     expect(out in result.stderr, "the message does not name the file", result)
@@ -134,7 +138,8 @@ harness.check("output folder below a file, 2 ranks", output_below_a_file(2))
 harness.check("SIGTERM", interrupted(signal.SIGTERM, 1))
 harness.check("Ctrl-C", interrupted(signal.SIGINT, 1))
 harness.check("SIGTERM to mpirun of 2 ranks", interrupted(signal.SIGTERM, 2))
-harness.check("files limited in size", file_limit)
+harness.check("surface files limited in size", file_limit("surfaces.every"))
+harness.check("field files limited in size", file_limit("fields.every"))
 harness.check("full disk", full_disk(1))
 harness.check("full disk, 2 ranks", full_disk(2))
 

@@ -196,6 +196,7 @@ TEST(Overrides, ProblemsNameTheOverride) {
   EXPECT_THAT(problems_of(drop_case, {"fluid.viscosity=-2"}), ElementsAre(HasSubstr("--set fluid.viscosity=-2")));
   EXPECT_THAT(problems_of(drop_case, {"body.dorp.center=[0,0,0]"}),
               ElementsAre(AllOf(HasSubstr("--set body.dorp"), HasSubstr("drop"))));
+  EXPECT_THAT(problems_of(drop_case, {"output={}"}), ElementsAre(HasSubstr("sets no key")));
   EXPECT_THAT(problems_of(drop_case, {"fluid"}), ElementsAre(HasSubstr("key.path=value")));
   EXPECT_THAT(problems_of(drop_case, {"fluid.viscosity=[1"}), ElementsAre(HasSubstr("not valid TOML")));
 }
