@@ -1,0 +1,1 @@
+pliant_test(time_step_test SOURCES ${CMAKE_CURRENT_LIST_DIR}/time_step_test.cpp LIBS pliant_simulation)
