@@ -3,7 +3,6 @@
 import argparse
 import json
 import os
-import shlex
 import shutil
 import sys
 import threading
@@ -77,7 +76,9 @@ def main():
 
     arguments.out.mkdir(parents=True, exist_ok=True)
     (arguments.out / "results.json").write_text(json.dumps(list(result_rows(results)), indent=1) + "\n")
-    command = shlex.join(["cases/drop-in-shear/check.py", *sys.argv[1:]])
+    size = " --quick" if arguments.quick else ""
+    only = f" --only {arguments.only}" if arguments.only else ""
+    command = f"cases/drop-in-shear/check.py{size}{only} --jobs {arguments.jobs}"
     print(report.plain(results))
     pictures = figures.draw(results, arguments.out)
     if any(run.failure is None for run in results.all_runs()):

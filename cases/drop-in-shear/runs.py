@@ -70,8 +70,11 @@ class Runner:
             self.execute(run)
             note(run)
 
-        with ThreadPoolExecutor(self.jobs) as pool:
+        pool = ThreadPoolExecutor(self.jobs)
+        try:
             list(pool.map(execute, sorted(runs, key=lambda run: -run.cost)))
+        finally:  # after an interrupt the runs that wait must not start
+            pool.shutdown(cancel_futures=True)
 
     def execute(self, run):
         run.out = self.out / run.name
