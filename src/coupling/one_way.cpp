@@ -19,9 +19,10 @@ int count_substeps(const DeformableBody& body, const VertexLoads& loads, double 
   if (body.substeps) return *body.substeps;
   const double count = std::ceil(step / (substep_safety * stable_time_step(body, loads.drag)));
   if (!(count <= most_substeps))
-    throw RunError(fmt::format("body '{}': a fluid step of {:g} would need {:g} substeps; take a smaller fluid step, softer "
-                               "potentials or a larger mass_per_vertex",
-                               body.name, step, count));
+    throw RunError(
+        fmt::format("body '{}': a fluid step of {:g} would need {:g} substeps; take a smaller fluid step, softer "
+                    "potentials or a larger mass_per_vertex",
+                    body.name, step, count));
   return std::max(1, static_cast<int>(count));
 }
 

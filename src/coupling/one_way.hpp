@@ -5,7 +5,8 @@
 
 namespace pliant {
 
-/// Fraction of the stability limit that a substep takes: the limit is that of the start, and bodies stiffen as they deform.
+/// Fraction of the stability limit that a substep takes: the limit is that of the start, and bodies stiffen as they
+/// deform.
 inline constexpr double substep_safety = 0.7;
 
 /// Moves a body through one fluid step in the undisturbed flow; the fluid does not feel it. Collective over the ranks,

@@ -40,10 +40,14 @@ Traction::Traction(const DeformableBody& body, const FlowSampler& flow, const Fl
 void Traction::evaluate(const DeformableBody& body, const ShapeState& shape, VertexLoads& loads) const {
   loads.assign(body.positions.size());
   switch (body.traction.form) {
-    case TractionForm::none: return;
-    case TractionForm::drag: return evaluate_drag(body, shape, loads);
-    case TractionForm::one_sided: return evaluate_one_sided(body, shape, loads);
-    case TractionForm::gradient: return evaluate_gradient(shape, loads);
+    case TractionForm::none:
+      return;
+    case TractionForm::drag:
+      return evaluate_drag(body, shape, loads);
+    case TractionForm::one_sided:
+      return evaluate_one_sided(body, shape, loads);
+    case TractionForm::gradient:
+      return evaluate_gradient(shape, loads);
   }
 }
 

@@ -10,8 +10,10 @@
 
 namespace pliant {
 
-/// What the flow does to a body that does not act on it, during one fluid step, in the form that body.traction asks for:
-/// - drag: c (u(x) - v) at each vertex, c = c_d mu A / R, with R the radius of the start and A the vertex's area (a third
+/// What the flow does to a body that does not act on it, during one fluid step, in the form that body.traction asks
+/// for:
+/// - drag: c (u(x) - v) at each vertex, c = c_d mu A / R, with R the radius of the start and A the vertex's area (a
+/// third
 ///   of the faces around it), of the start or of now as traction.area says;
 /// - one_sided: per face (mu (u(x + h n) - v)/h - p n) A, a third to each vertex, with v of the vertex;
 /// - gradient: per face (mu (grad u + grad u^T) n - p n) A at x + h n, a third to each vertex.

@@ -63,7 +63,8 @@ void check_indices(const SurfaceData& data, ProblemList& problems) {
     const Face& face = data.faces[f];
     const auto bad = std::find_if(face.begin(), face.end(), [&](int v) { return v < 0 || v >= n; });
     if (bad != face.end())
-      problems.at_face(f, fmt::format("the face names vertex {}, but there are {} vertices; correct the index", *bad + 1, n));
+      problems.at_face(
+          f, fmt::format("the face names vertex {}, but there are {} vertices; correct the index", *bad + 1, n));
     else if (face[0] == face[1] || face[1] == face[2] || face[2] == face[0])
       problems.at_face(f, "degenerate face: it names a vertex twice; remove the face or correct its vertices");
   }
@@ -144,11 +145,12 @@ void check_edges(const SurfaceData& data, Closure closure, ProblemList& problems
     while (end < sides.size() && sides[end].low == sides[i].low && sides[end].high == sides[i].high) ++end;
     const auto [low, high, face, forward] = sides[i];
     if (end - i > 2) {
-      problems.at_face(sides[i + 2].face,
-                       fmt::format("non-manifold edge: the edge from {} to {} belongs to {} faces ({}, {} and this one); "
-                                   "an edge may have two",
-                                   problems.vertex_name(low), problems.vertex_name(high), end - i,
-                                   problems.face_name(face), problems.face_name(sides[i + 1].face)));
+      problems.at_face(
+          sides[i + 2].face,
+          fmt::format("non-manifold edge: the edge from {} to {} belongs to {} faces ({}, {} and this one); "
+                      "an edge may have two",
+                      problems.vertex_name(low), problems.vertex_name(high), end - i, problems.face_name(face),
+                      problems.face_name(sides[i + 1].face)));
     } else if (end - i == 2) {
       if (forward == sides[i + 1].forward) {
         clashes.push_back({face, sides[i + 1].face, low, high});
@@ -158,25 +160,28 @@ void check_edges(const SurfaceData& data, Closure closure, ProblemList& problems
     } else {
       ++borders;
       if (closure == Closure::closed)
-        problems.at_face(face, fmt::format("hole: the edge from {} to {} has only this face, but the body must be closed; "
-                                           "fill the hole",
-                                           problems.vertex_name(low), problems.vertex_name(high)));
+        problems.at_face(face,
+                         fmt::format("hole: the edge from {} to {} has only this face, but the body must be closed; "
+                                     "fill the hole",
+                                     problems.vertex_name(low), problems.vertex_name(high)));
     }
     i = end;
   }
   std::vector<char> named(data.faces.size(), 0);
   std::stable_sort(clashes.begin(), clashes.end(), [&](const Clash& a, const Clash& b) {
-    return std::max(clash_count[a.first], clash_count[a.second]) > std::max(clash_count[b.first], clash_count[b.second]);
+    return std::max(clash_count[a.first], clash_count[a.second]) >
+           std::max(clash_count[b.first], clash_count[b.second]);
   });
   for (const Clash& clash : clashes) {
     if (named[clash.first] || named[clash.second]) continue;
     const bool second_is_worse = clash_count[clash.second] >= clash_count[clash.first];
     const int flipped = second_is_worse ? clash.second : clash.first;
     named[flipped] = 1;
-    problems.at_face(flipped, fmt::format("flipped face: it runs along the edge from {} to {} in the same direction as {}; "
-                                          "reverse the order of its vertices (GTS: of its edges)",
-                                          problems.vertex_name(clash.low), problems.vertex_name(clash.high),
-                                          problems.face_name(second_is_worse ? clash.first : clash.second)));
+    problems.at_face(flipped,
+                     fmt::format("flipped face: it runs along the edge from {} to {} in the same direction as {}; "
+                                 "reverse the order of its vertices (GTS: of its edges)",
+                                 problems.vertex_name(clash.low), problems.vertex_name(clash.high),
+                                 problems.face_name(second_is_worse ? clash.first : clash.second)));
   }
   if (closure == Closure::open && borders == 0)
     problems.at_source("the surface is closed, but an open one is asked for; cut it or use it as a closed body");
@@ -187,9 +192,10 @@ void check_orientation(const SurfaceData& data, ProblemList& problems) {
   for (const Face& face : data.faces)
     six_volumes += dot(data.positions[face[0]] - data.positions[0], face_vector(face, data.positions));
   if (six_volumes <= 0)
-    problems.at_source(fmt::format("inward normals: the enclosed volume is {:.6g}; reverse the order of the vertices of "
-                                   "every face (GTS: of the edges)",
-                                   six_volumes / 6.0));
+    problems.at_source(
+        fmt::format("inward normals: the enclosed volume is {:.6g}; reverse the order of the vertices of "
+                    "every face (GTS: of the edges)",
+                    six_volumes / 6.0));
 }
 
 }  // namespace

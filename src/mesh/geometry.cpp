@@ -107,7 +107,8 @@ SolidMoments enclosed_moments(const TriangleMesh& mesh, std::span<const Vec3> po
     const Vec3 sum = a + b + c;
     moments.volume += volume;
     first += volume / 4.0 * sum;
-    // Tetrahedron with a corner at 0: integral of x_i x_j = V/20 (a_i a_j + b_i b_j + c_i c_j + s_i s_j), s = a + b + c.
+    // Tetrahedron with a corner at 0: integral of x_i x_j = V/20 (a_i a_j + b_i b_j + c_i c_j + s_i s_j), s = a + b +
+    // c.
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j)
         second[i][j] += volume / 20.0 * (a[i] * a[j] + b[i] * b[j] + c[i] * c[j] + sum[i] * sum[j]);

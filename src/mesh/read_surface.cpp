@@ -22,14 +22,17 @@ struct Format {
   SurfaceData (*read)(std::istream&, const std::string&);
   void (*write)(std::ostream&, const Surface&);
 };
-constexpr Format formats[] = {{".gts", read_gts, write_gts}, {".stl", read_stl, write_stl}, {".obj", read_obj, write_obj}};
+constexpr Format formats[] = {
+    {".gts", read_gts, write_gts}, {".stl", read_stl, write_stl}, {".obj", read_obj, write_obj}};
 
 const Format& format_of(const std::filesystem::path& path) {
   std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return std::tolower(c); });
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return std::tolower(c); });
   for (const Format& format : formats)
     if (extension == format.extension) return format;
-  throw InputError(fmt::format("{}: unknown surface format '{}'; known extensions: .gts, .stl, .obj", path.string(), extension));
+  throw InputError(
+      fmt::format("{}: unknown surface format '{}'; known extensions: .gts, .stl, .obj", path.string(), extension));
 }
 
 std::string last_error() { return std::strerror(errno); }

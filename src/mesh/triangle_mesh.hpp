@@ -8,10 +8,12 @@ namespace pliant {
 /// The vertices of a face, counter-clockwise seen from outside.
 using Face = std::array<int, 3>;
 
-/// Connectivity of an oriented two-manifold of triangles, closed or with borders; it never changes. Positions live elsewhere.
+/// Connectivity of an oriented two-manifold of triangles, closed or with borders; it never changes. Positions live
+/// elsewhere.
 ///
 /// An edge is numbered by its first appearance along the faces, so edges are as local in memory as faces are.
-/// Edge e runs from vertices_of_edge()[e][0] to [1] in the direction of its first face; its second face runs the other way.
+/// Edge e runs from vertices_of_edge()[e][0] to [1] in the direction of its first face; its second face runs the other
+/// way.
 class TriangleMesh {
  public:
   TriangleMesh() = default;
@@ -33,7 +35,8 @@ class TriangleMesh {
   std::span<const std::array<int, 2>> vertices_of_edge() const { return vertices_of_edge_; }
   /// The second face is -1 at a border.
   std::span<const std::array<int, 2>> faces_of_edge() const { return faces_of_edge_; }
-  /// The paper's v1234: start and end of the edge, the vertex opposite in its first face and in its second (-1: border).
+  /// The paper's v1234: start and end of the edge, the vertex opposite in its first face and in its second (-1:
+  /// border).
   std::span<const std::array<int, 4>> hinge_of_edge() const { return hinge_of_edge_; }
 
   /// Faces around a vertex, counter-clockwise; at a border from the first face of the fan to the last.

@@ -31,7 +31,8 @@ void TotalAreaPenalty::add_forces(const ShapeState& shape, std::span<Vec3> force
   const auto faces = shape.mesh().vertices_of_face();
   const double tension = stiffness * (shape.area() / reference_area - 1.0);
   for (std::size_t f = 0; f < faces.size(); ++f)
-    add_face_tension(faces[f], shape.positions(), shape.inverse_lengths()[f] * shape.face_vectors()[f], tension, forces);
+    add_face_tension(faces[f], shape.positions(), shape.inverse_lengths()[f] * shape.face_vectors()[f], tension,
+                     forces);
 }
 
 }  // namespace pliant

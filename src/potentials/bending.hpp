@@ -10,8 +10,8 @@ namespace pliant {
 /// positive where the surface is convex (paper's bending potential with a reference angle). Borders have no hinge.
 struct Bending {
   static constexpr const char* name = "bending";
-  std::vector<double> stiffness;          ///< k per edge, energy
-  std::vector<double> cosine0, sine0;     ///< of theta0 per edge
+  std::vector<double> stiffness;       ///< k per edge, energy
+  std::vector<double> cosine0, sine0;  ///< of theta0 per edge
 
   /// The same stiffness on every hinge; theta0 from the reference shape, which is then free of bending stress.
   static Bending about_shape(const TriangleMesh& mesh, std::span<const Vec3> reference, double stiffness);

@@ -13,7 +13,8 @@ struct EdgeSprings {
   std::vector<double> rest_length;  ///< l0 per edge; 0 is allowed
 
   /// The same stiffness on every edge; l0 = fraction * length in the reference.
-  static EdgeSprings uniform(const TriangleMesh& mesh, std::span<const Vec3> reference, double stiffness, double fraction);
+  static EdgeSprings uniform(const TriangleMesh& mesh, std::span<const Vec3> reference, double stiffness,
+                             double fraction);
 
   double energy(const ShapeState& shape) const;
   void add_forces(const ShapeState& shape, std::span<Vec3> forces) const;

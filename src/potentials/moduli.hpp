@@ -5,10 +5,12 @@
 #include "core/vec3.hpp"
 #include "mesh/triangle_mesh.hpp"
 
-/// From the moduli of a thin sheet to the constants of a spring network. E: Young's modulus, h: thickness, nu: Poisson ratio.
+/// From the moduli of a thin sheet to the constants of a spring network. E: Young's modulus, h: thickness, nu: Poisson
+/// ratio.
 namespace pliant {
 
-/// k per edge = E h (areas of the edge's faces) / l0^2 (Van Gelder 1998). Exact for equilateral faces: k = sqrt(3)/2 E h.
+/// k per edge = E h (areas of the edge's faces) / l0^2 (Van Gelder 1998). Exact for equilateral faces: k = sqrt(3)/2 E
+/// h.
 std::vector<double> van_gelder_stiffness(const TriangleMesh& mesh, std::span<const Vec3> reference, double young,
                                          double thickness);
 

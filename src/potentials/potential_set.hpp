@@ -13,9 +13,9 @@
 
 namespace pliant {
 
-/// A potential is a parameter struct with `name`, `energy(shape)` and `add_forces(shape, forces)`; to add one, add it here.
-using Potential =
-    std::variant<EdgeSprings, Bending, VolumePenalty, FaceAreaPenalty, TotalAreaPenalty, SurfaceTension>;
+/// A potential is a parameter struct with `name`, `energy(shape)` and `add_forces(shape, forces)`; to add one, add it
+/// here.
+using Potential = std::variant<EdgeSprings, Bending, VolumePenalty, FaceAreaPenalty, TotalAreaPenalty, SurfaceTension>;
 
 /// The potentials of one body. Sums run in a fixed order: equal positions give equal bits.
 class PotentialSet {

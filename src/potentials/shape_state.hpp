@@ -11,7 +11,8 @@ namespace pliant {
 /// The mesh must outlive it.
 class ShapeState {
  public:
-  explicit ShapeState(const TriangleMesh& mesh) : mesh_(&mesh), face_vectors_(mesh.n_faces()), inverse_lengths_(mesh.n_faces()) {}
+  explicit ShapeState(const TriangleMesh& mesh)
+      : mesh_(&mesh), face_vectors_(mesh.n_faces()), inverse_lengths_(mesh.n_faces()) {}
   ShapeState(const TriangleMesh& mesh, std::span<const Vec3> positions) : ShapeState(mesh) { update(positions); }
 
   /// Takes new positions (n_vertices of them; kept by reference until the next update).

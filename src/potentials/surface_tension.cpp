@@ -28,9 +28,11 @@ std::vector<Vec3> vertex_normals(const ShapeState& shape) {
   return normals;
 }
 
-/// Takes from a field of tangential forces the tangential part of the rigid motion that carries its net force and torque:
-/// forces_i -= P_i (a + b x r_i), with P_i the projection on the tangent plane and a, b from a symmetric 6 x 6 system.
-void remove_net_force_and_torque(std::span<const Vec3> positions, std::span<const Vec3> normals, std::span<Vec3> forces) {
+/// Takes from a field of tangential forces the tangential part of the rigid motion that carries its net force and
+/// torque: forces_i -= P_i (a + b x r_i), with P_i the projection on the tangent plane and a, b from a symmetric 6 x 6
+/// system.
+void remove_net_force_and_torque(std::span<const Vec3> positions, std::span<const Vec3> normals,
+                                 std::span<Vec3> forces) {
   const Vec3 centre = mean_position(positions);
   Vector6 net = Vector6::Zero();
   Matrix6 response = Matrix6::Zero();

@@ -31,9 +31,10 @@ void require_finite(const DeformableBody& body) {
   for (std::size_t v = 0; v < body.positions.size(); ++v) {
     const Vec3 x = body.positions[v];
     if (!std::isfinite(x.x + x.y + x.z))
-      throw RunError(fmt::format("body '{}': the position of vertex {} is no longer a number; the motion of its vertices is "
-                                 "unstable: set more substeps, or softer potentials, or a larger mass_per_vertex",
-                                 body.name, v));
+      throw RunError(
+          fmt::format("body '{}': the position of vertex {} is no longer a number; the motion of its vertices is "
+                      "unstable: set more substeps, or softer potentials, or a larger mass_per_vertex",
+                      body.name, v));
   }
 }
 

@@ -4,7 +4,8 @@
 
 namespace pliant {
 
-/// One substep of m x'' = F_int + F_load + c (u - v) - d v, semi-implicit Euler with the drag c and the damping d implicit:
+/// One substep of m x'' = F_int + F_load + c (u - v) - d v, semi-implicit Euler with the drag c and the damping d
+/// implicit:
 ///   v' = (v + h/m (F_int + F_load + c u)) / (1 + h (c + d)/m),  x' = x + h v'.
 /// Symplectic without drag; with it the final slip is exact for any h. `shape` must hold the body's present positions;
 /// afterwards body.forces are F_int + F_load of the start of the substep, and `shape` must be updated.

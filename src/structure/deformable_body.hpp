@@ -16,16 +16,16 @@ struct DeformableBody {
   MotionKind motion = MotionKind::deformable;
   TriangleMesh mesh;
   std::vector<Vec3> positions, velocities;
-  std::vector<Vec3> forces;           ///< internal and external at the last substep, drag and damping left out
-  std::vector<Vec3> reference;        ///< positions at the start, which the potentials refer to
+  std::vector<Vec3> forces;     ///< internal and external at the last substep, drag and damping left out
+  std::vector<Vec3> reference;  ///< positions at the start, which the potentials refer to
   std::vector<double> masses;
   std::vector<double> reference_areas;  ///< a third of the area of the faces around the vertex, at the start
   double radius = 0;                    ///< of the sphere of the same volume at the start
   PotentialSet potentials;
-  double damping = 0;                   ///< force = -damping * velocity, on every vertex
-  TractionConfig traction;              ///< probe_length filled in
-  std::optional<int> substeps;          ///< as given; else from the stability limit
-  double largest_frequency = 0;         ///< of the internal forces at the start, radians / time; see find_largest_frequency
+  double damping = 0;            ///< force = -damping * velocity, on every vertex
+  TractionConfig traction;       ///< probe_length filled in
+  std::optional<int> substeps;   ///< as given; else from the stability limit
+  double largest_frequency = 0;  ///< of the internal forces at the start, radians / time; see find_largest_frequency
 };
 
 }  // namespace pliant

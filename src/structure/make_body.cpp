@@ -27,10 +27,10 @@ Surface load_surface(const BodyConfig& config, const std::filesystem::path& fold
   return surface;
 }
 
-PotentialSet make_potentials(const PotentialsConfig& config, const TriangleMesh& mesh, std::span<const Vec3> reference) {
+PotentialSet make_potentials(const PotentialsConfig& config, const TriangleMesh& mesh,
+                             std::span<const Vec3> reference) {
   PotentialSet set;
-  if (config.edge)
-    set.add(EdgeSprings::uniform(mesh, reference, config.edge->stiffness, config.edge->rest_length));
+  if (config.edge) set.add(EdgeSprings::uniform(mesh, reference, config.edge->stiffness, config.edge->rest_length));
   if (config.bending)
     set.add(config.bending->reference == ReferenceAngle::initial
                 ? Bending::about_shape(mesh, reference, config.bending->stiffness)
@@ -48,7 +48,8 @@ PotentialSet make_potentials(const PotentialsConfig& config, const TriangleMesh&
 
 DeformableBody make_body(const BodyConfig& config, const BodySetting& setting) {
   if (!(config.mass_per_vertex > 0))
-    throw InputError(fmt::format("body '{}': mass_per_vertex = {} must be positive", config.name, config.mass_per_vertex));
+    throw InputError(
+        fmt::format("body '{}': mass_per_vertex = {} must be positive", config.name, config.mass_per_vertex));
   Surface surface = load_surface(config, setting.folder);
   const std::size_t n = surface.positions.size();
   DeformableBody body;

@@ -9,8 +9,8 @@ namespace pliant {
 
 /// What a body's configuration leaves to its surroundings.
 struct BodySetting {
-  std::filesystem::path folder;     ///< files of surfaces start here
-  double mean_spacing = 0;          ///< of the grid; the probe length where none is given
+  std::filesystem::path folder;  ///< files of surfaces start here
+  double mean_spacing = 0;       ///< of the grid; the probe length where none is given
 };
 
 /// The surface at its place in the box, checked: closed, sound and outward. Throws InputError with every problem.

@@ -62,8 +62,7 @@ double find_largest_frequency(const DeformableBody& body) {
     };
     forces_at(step, ahead);
     forces_at(-step, behind);
-    for (std::size_t v = 0; v < n; ++v)
-      iterate[v] = 0.5 / (step * std::sqrt(body.masses[v])) * (behind[v] - ahead[v]);
+    for (std::size_t v = 0; v < n; ++v) iterate[v] = 0.5 / (step * std::sqrt(body.masses[v])) * (behind[v] - ahead[v]);
     const double previous = eigenvalue;
     eigenvalue = norm_of(iterate);
     if (eigenvalue == 0) return 0;

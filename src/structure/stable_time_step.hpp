@@ -3,13 +3,13 @@
 
 namespace pliant {
 
-/// Largest frequency omega of small motions about the present positions: omega^2 is the largest eigenvalue in modulus of
-/// M^-1/2 K M^-1/2, K the derivative of the internal forces, by power iteration with differences of forces along the
+/// Largest frequency omega of small motions about the present positions: omega^2 is the largest eigenvalue in modulus
+/// of M^-1/2 K M^-1/2, K the derivative of the internal forces, by power iteration with differences of forces along the
 /// iterate. Starts from a fixed vector; the estimate comes from below, usually within 1 %. 0 without potentials.
 double find_largest_frequency(const DeformableBody& body);
 
-/// Longest stable step of advance_vertices for a vertex of frequency omega whose drag over mass is at least `drag_rate`:
-/// (omega h)^2 < 4 + 2 drag_rate h. Without drag h < 2 / omega. Infinite for omega = 0.
+/// Longest stable step of advance_vertices for a vertex of frequency omega whose drag over mass is at least
+/// `drag_rate`: (omega h)^2 < 4 + 2 drag_rate h. Without drag h < 2 / omega. Infinite for omega = 0.
 double stable_time_step(double omega, double drag_rate);
 
 /// The same for a body: its stored largest frequency, and its damping and the least of the given drags as the drag.

@@ -24,7 +24,8 @@ class GtsReader {
   SurfaceData read() {
     SurfaceData data;
     data.source = source_;
-    if (!lines_.next()) throw InputError(source_ + ": the file is empty; a GTS file begins with 'vertices edges faces'");
+    if (!lines_.next())
+      throw InputError(source_ + ": the file is empty; a GTS file begins with 'vertices edges faces'");
     const auto counts = read_header();
     for (long v = 0; v < counts[0] && need("vertex", v, counts[0]); ++v) {
       data.positions.push_back(read_vertex());
@@ -41,7 +42,8 @@ class GtsReader {
       }
     if (!cut_short_ && lines_.next())
       problem("a line is left over after the last face; correct the counts in the first line or remove it");
-    if (count_ > most_problems) problems_.push_back(fmt::format("{}: and {} more problems", source_, count_ - most_problems));
+    if (count_ > most_problems)
+      problems_.push_back(fmt::format("{}: and {} more problems", source_, count_ - most_problems));
     if (!problems_.empty()) throw InputError(std::move(problems_));
     return data;
   }
@@ -55,7 +57,8 @@ class GtsReader {
     std::array<long, 3> counts{};
     const auto& words = lines_.words();
     bool good = words.size() >= 3;
-    for (int i = 0; good && i < 3; ++i) good = parse_number(words[i], counts[i]) && counts[i] >= 0 && counts[i] <= most_items;
+    for (int i = 0; good && i < 3; ++i)
+      good = parse_number(words[i], counts[i]) && counts[i] >= 0 && counts[i] <= most_items;
     if (!good) {
       problem(fmt::format("'{}' is no GTS header; it is 'vertices edges faces', three counts such as '162 480 320'",
                           printable(lines_.line())));
@@ -68,8 +71,9 @@ class GtsReader {
   bool need(const char* kind, long done, long wanted) {
     if (cut_short_) return false;
     if (lines_.next()) return true;
-    problem(fmt::format("the file ends after {} of {} {} lines; correct the counts in the first line or restore the rest",
-                        done, wanted, kind));
+    problem(
+        fmt::format("the file ends after {} of {} {} lines; correct the counts in the first line or restore the rest",
+                    done, wanted, kind));
     cut_short_ = true;
     return false;
   }
@@ -94,7 +98,8 @@ class GtsReader {
       long index = 0;
       const bool is_number = words.size() >= N && parse_number(words[k], index);
       if (!is_number || index < 1 || index > limit) {
-        problem(is_number ? fmt::format("the {} names {} {}, out of range: there are {}; correct the index", kind, of, index, limit)
+        problem(is_number ? fmt::format("the {} names {} {}, out of range: there are {}; correct the index", kind, of,
+                                        index, limit)
                           : fmt::format("'{}' is no {}; give {} indices from 1", printable(lines_.line()), kind, N));
         indices.fill(-1);
         return indices;
@@ -106,7 +111,8 @@ class GtsReader {
 
   std::optional<Face> read_face(long n_edges) {
     const auto sides = read_indices<3>("face", "edge", n_edges);
-    if (sides[0] < 0 || edges_[sides[0]][0] < 0 || edges_[sides[1]][0] < 0 || edges_[sides[2]][0] < 0) return std::nullopt;
+    if (sides[0] < 0 || edges_[sides[0]][0] < 0 || edges_[sides[1]][0] < 0 || edges_[sides[2]][0] < 0)
+      return std::nullopt;
     const auto [a0, a1] = edges_[sides[0]];
     const auto [b0, b1] = edges_[sides[1]];
     const auto [c0, c1] = edges_[sides[2]];
@@ -119,10 +125,10 @@ class GtsReader {
         return Face{start, corner, last};
       }
     }
-    problem(fmt::format("degenerate face: its edges {}, {} and {} (lines {}, {} and {}) do not join three vertices; correct "
-                        "the edges",
-                        sides[0] + 1, sides[1] + 1, sides[2] + 1, edge_lines_[sides[0]], edge_lines_[sides[1]],
-                        edge_lines_[sides[2]]));
+    problem(fmt::format(
+        "degenerate face: its edges {}, {} and {} (lines {}, {} and {}) do not join three vertices; correct "
+        "the edges",
+        sides[0] + 1, sides[1] + 1, sides[2] + 1, edge_lines_[sides[0]], edge_lines_[sides[1]], edge_lines_[sides[2]]));
     return std::nullopt;
   }
 
@@ -143,7 +149,8 @@ void write_gts(std::ostream& output, const Surface& surface) {
   const TriangleMesh& mesh = surface.mesh;
   fmt::memory_buffer text;
   const auto out = std::back_inserter(text);
-  fmt::format_to(out, "{} {} {} GtsSurface GtsFace GtsEdge GtsVertex\n", mesh.n_vertices(), mesh.n_edges(), mesh.n_faces());
+  fmt::format_to(out, "{} {} {} GtsSurface GtsFace GtsEdge GtsVertex\n", mesh.n_vertices(), mesh.n_edges(),
+                 mesh.n_faces());
   for (const Vec3& x : surface.positions) fmt::format_to(out, "{:.17g} {:.17g} {:.17g}\n", x.x, x.y, x.z);
   for (const auto& [a, b] : mesh.vertices_of_edge()) fmt::format_to(out, "{} {}\n", a + 1, b + 1);
   for (const auto& [a, b, c] : mesh.edges_of_face()) fmt::format_to(out, "{} {} {}\n", a + 1, b + 1, c + 1);

@@ -22,7 +22,8 @@ SurfaceData read_obj(std::istream& input, const std::string& source) {
       bool good = words.size() >= 4;
       for (int d = 0; good && d < 3; ++d) good = parse_number(words[d + 1], x[d]);
       if (!good)
-        problems.push_back(fmt::format("{}:{}: '{}' is no vertex; give 'v x y z'", source, lines.number(), printable(lines.line())));
+        problems.push_back(
+            fmt::format("{}:{}: '{}' is no vertex; give 'v x y z'", source, lines.number(), printable(lines.line())));
       data.positions.push_back(x);
       data.vertex_lines.push_back(lines.number());
     } else if (words[0] == "f") {
@@ -34,8 +35,8 @@ SurfaceData read_obj(std::istream& input, const std::string& source) {
         corners.push_back(static_cast<int>(index > 0 ? index - 1 : static_cast<long>(data.positions.size()) + index));
       }
       if (corners.size() + 1 != words.size() || corners.size() < 3) {
-        problems.push_back(fmt::format("{}:{}: '{}' is no face; give 'f' and at least three vertex indices from 1", source,
-                                       lines.number(), printable(lines.line())));
+        problems.push_back(fmt::format("{}:{}: '{}' is no face; give 'f' and at least three vertex indices from 1",
+                                       source, lines.number(), printable(lines.line())));
         continue;
       }
       for (std::size_t k = 2; k < corners.size(); ++k) {
@@ -54,7 +55,8 @@ void write_obj(std::ostream& output, const Surface& surface) {
   fmt::memory_buffer text;
   const auto out = std::back_inserter(text);
   for (const Vec3& x : surface.positions) fmt::format_to(out, "v {:.17g} {:.17g} {:.17g}\n", x.x, x.y, x.z);
-  for (const auto& [a, b, c] : surface.mesh.vertices_of_face()) fmt::format_to(out, "f {} {} {}\n", a + 1, b + 1, c + 1);
+  for (const auto& [a, b, c] : surface.mesh.vertices_of_face())
+    fmt::format_to(out, "f {} {} {}\n", a + 1, b + 1, c + 1);
   output.write(text.data(), static_cast<std::streamsize>(text.size()));
 }
 

@@ -7,8 +7,8 @@
 
 namespace pliant {
 
-/// Reads the vertices and faces of a Wavefront OBJ file; a face of n > 3 vertices becomes a fan, all else is passed over.
-/// Throws InputError with every line that is wrong.
+/// Reads the vertices and faces of a Wavefront OBJ file; a face of n > 3 vertices becomes a fan, all else is passed
+/// over. Throws InputError with every line that is wrong.
 SurfaceData read_obj(std::istream& input, const std::string& source);
 
 /// Writes vertices (17 digits) and faces.

@@ -55,15 +55,16 @@ SurfaceData read_text(const std::string& bytes, const std::string& source) {
       bool good = words.size() == 4;
       for (int d = 0; good && d < 3; ++d) good = parse_number(words[d + 1], x[d]);
       if (!good)
-        problems.push_back(
-            fmt::format("{}:{}: '{}' is no vertex; give 'vertex x y z'", source, lines.number(), printable(lines.line())));
+        problems.push_back(fmt::format("{}:{}: '{}' is no vertex; give 'vertex x y z'", source, lines.number(),
+                                       printable(lines.line())));
       corners.push_back(good ? welder.vertex(x, lines.number()) : 0);
     } else if (words[0] == "endfacet") {
       if (corners.size() == 3) {
         data.faces.push_back({corners[0], corners[1], corners[2]});
         data.face_lines.push_back(first_line);
       } else {
-        problems.push_back(fmt::format("{}:{}: the facet has {} vertices; it needs three", source, first_line, corners.size()));
+        problems.push_back(
+            fmt::format("{}:{}: the facet has {} vertices; it needs three", source, first_line, corners.size()));
       }
     } else if (words[0] != "outer" && words[0] != "endloop" && words[0] != "solid" && words[0] != "endsolid") {
       problems.push_back(fmt::format("{}:{}: '{}' is no line of an STL file; remove it", source, lines.number(),
@@ -103,7 +104,8 @@ SurfaceData read_stl(std::istream& input, const std::string& source) {
     if (bytes.size() == header_bytes + facet_bytes * count) return read_binary(bytes, source);
   }
   if (bytes.compare(0, 5, "solid") != 0)
-    throw InputError(source + ": this is no STL file: it does not begin with 'solid', and its size fits no count of facets");
+    throw InputError(source +
+                     ": this is no STL file: it does not begin with 'solid', and its size fits no count of facets");
   return read_text(bytes, source);
 }
 

@@ -39,7 +39,8 @@ inline std::string printable(std::string_view text) {
 class LineReader {
  public:
   /// Lines whose first word begins with one of the characters of `comment_marks` are passed over.
-  LineReader(std::istream& input, std::string comment_marks) : input_(input), comment_marks_(std::move(comment_marks)) {}
+  LineReader(std::istream& input, std::string comment_marks)
+      : input_(input), comment_marks_(std::move(comment_marks)) {}
 
   bool next() {
     while (std::getline(input_, line_)) {

@@ -21,7 +21,8 @@ UnitSphere icosahedron() {
   const double height = 1.0 / std::sqrt(5.0), radius = 2.0 / std::sqrt(5.0), step = 2.0 * std::numbers::pi / 5.0;
   UnitSphere sphere;
   sphere.positions.push_back({0, 0, 1});
-  for (int k = 0; k < 5; ++k) sphere.positions.push_back({radius * std::cos(k * step), radius * std::sin(k * step), height});
+  for (int k = 0; k < 5; ++k)
+    sphere.positions.push_back({radius * std::cos(k * step), radius * std::sin(k * step), height});
   for (int k = 0; k < 5; ++k)
     sphere.positions.push_back({radius * std::cos((k + 0.5) * step), radius * std::sin((k + 0.5) * step), -height});
   sphere.positions.push_back({0, 0, -1});
@@ -61,8 +62,8 @@ UnitSphere split(const UnitSphere& coarse, int n) {
         else if (k == row) rows[row][k] = on_edge(a, c, row);
         else {
           rows[row][k] = static_cast<int>(fine.positions.size());
-          fine.positions.push_back(normalized((n - row) * coarse.positions[a] + (row - k) * coarse.positions[b] +
-                                              k * coarse.positions[c]));
+          fine.positions.push_back(
+              normalized((n - row) * coarse.positions[a] + (row - k) * coarse.positions[b] + k * coarse.positions[c]));
         }
       }
     }

@@ -68,8 +68,7 @@ TEST(OneWay, SubstepsFollowTheStabilityLimitUnlessGiven) {
 TEST(OneWay, AnUnstableMotionIsAnError) {
   auto body = make_body(prestressed_drop(66), {});
   body.substeps = 1;
-  EXPECT_THROW(
-      for (int i = 0; i < 1000; ++i) advance_one_way(body, make_shear(1.0), {}, 0.5), RunError);
+  EXPECT_THROW(for (int i = 0; i < 1000; ++i) advance_one_way(body, make_shear(1.0), {}, 0.5), RunError);
 }
 
 }  // namespace

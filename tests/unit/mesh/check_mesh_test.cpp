@@ -29,7 +29,9 @@ std::string only_problem(const SurfaceData& data, Closure closure = Closure::clo
   return problems.empty() ? "" : problems[0];
 }
 
-void expect_begins(const std::string& text, const std::string& start) { EXPECT_EQ(text.substr(0, start.size()), start); }
+void expect_begins(const std::string& text, const std::string& start) {
+  EXPECT_EQ(text.substr(0, start.size()), start);
+}
 
 TEST(CheckMesh, AcceptsASoundSphere) { EXPECT_TRUE(find_mesh_problems(sphere_data(), Closure::closed).empty()); }
 

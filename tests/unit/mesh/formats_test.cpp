@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <cstdint>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -39,7 +39,8 @@ TEST(Formats, GtsAndObjKeepEveryBit) {
   for (const char* name : {"a.gts", "a.obj", "A.OBJ"}) {
     write_surface(folder / name, sphere);
     const auto back = read_surface(folder / name, Closure::closed);
-    EXPECT_TRUE(std::equal(back.positions.begin(), back.positions.end(), sphere.positions.begin(), sphere.positions.end()));
+    EXPECT_TRUE(
+        std::equal(back.positions.begin(), back.positions.end(), sphere.positions.begin(), sphere.positions.end()));
     const auto faces = back.mesh.vertices_of_face(), expected = sphere.mesh.vertices_of_face();
     EXPECT_TRUE(std::equal(faces.begin(), faces.end(), expected.begin(), expected.end()));
   }
@@ -89,16 +90,18 @@ std::string gts_error(const std::string& text) {
   std::istringstream input(text);
   try {
     read_gts(input, "bad.gts");
-  } catch (const InputError& error) {
-    return error.what();
-  }
+  } catch (const InputError& error) { return error.what(); }
   return "no error";
 }
 
 TEST(Formats, GtsErrorsNameTheLine) {
   EXPECT_NE(gts_error("").find("bad.gts: the file is empty"), std::string::npos);
   EXPECT_NE(gts_error("# only this\n").find("is empty"), std::string::npos);
-  EXPECT_NE(gts_error(std::string("\x7f" "ELF\x02\x01\0\0garbage", 16)).find("bad.gts:1: "), std::string::npos);
+  EXPECT_NE(gts_error(std::string("\x7f"
+                                  "ELF\x02\x01\0\0garbage",
+                                  16))
+                .find("bad.gts:1: "),
+            std::string::npos);
   EXPECT_NE(gts_error("3 3\n").find("bad.gts:1: '3 3' is no GTS header"), std::string::npos);
   EXPECT_NE(gts_error("-3 3 1\n").find("bad.gts:1: "), std::string::npos);
   EXPECT_NE(gts_error("3 3 1\n0 0 0\n1 0\n0 1 0\n1 2\n2 3\n3 1\n1 2 3\n").find("bad.gts:3: '1 0' is no vertex"),
@@ -109,9 +112,11 @@ TEST(Formats, GtsErrorsNameTheLine) {
             std::string::npos);
   EXPECT_NE(gts_error("3 3 1\n0 0 0\n1 0 0\n0 1 0\n1 2\n2 3\n3 1\n1 2 2\n").find("bad.gts:8: degenerate face"),
             std::string::npos);
-  EXPECT_NE(gts_error("3 3 1\n0 0 0\n1 0 0\n0 1 0\n1 2\n").find("the file ends after 1 of 3 edge lines"), std::string::npos);
-  EXPECT_NE(gts_error("3 3 1\n0 0 0\n1 0 0\n0 1 0\n1 2\n2 3\n3 1\n1 2 3\n1 2 3\n").find("bad.gts:9: a line is left over"),
+  EXPECT_NE(gts_error("3 3 1\n0 0 0\n1 0 0\n0 1 0\n1 2\n").find("the file ends after 1 of 3 edge lines"),
             std::string::npos);
+  EXPECT_NE(
+      gts_error("3 3 1\n0 0 0\n1 0 0\n0 1 0\n1 2\n2 3\n3 1\n1 2 3\n1 2 3\n").find("bad.gts:9: a line is left over"),
+      std::string::npos);
 }
 
 TEST(Formats, ManyErrorsAreCountedNotListed) {
@@ -121,7 +126,8 @@ TEST(Formats, ManyErrorsAreCountedNotListed) {
 }
 
 TEST(Formats, ObjAndStlErrorsNameTheLine) {
-  std::istringstream obj("v 0 0 0\nv 1 0 0\nv 0 1 zero\nf 1 2\n"), stl("solid a\nfacet normal 0 0 1\nvertex 0 0 0\nendfacet\n");
+  std::istringstream obj("v 0 0 0\nv 1 0 0\nv 0 1 zero\nf 1 2\n"),
+      stl("solid a\nfacet normal 0 0 1\nvertex 0 0 0\nendfacet\n");
   try {
     read_obj(obj, "a.obj");
     FAIL();
@@ -133,9 +139,7 @@ TEST(Formats, ObjAndStlErrorsNameTheLine) {
   try {
     read_stl(stl, "a.stl");
     FAIL();
-  } catch (const InputError& error) {
-    EXPECT_EQ(error.problems()[0].find("a.stl:2:"), 0u);
-  }
+  } catch (const InputError& error) { EXPECT_EQ(error.problems()[0].find("a.stl:2:"), 0u); }
 }
 
 TEST(Formats, PathsThatCannotBeReadOrWrittenAreNamed) {

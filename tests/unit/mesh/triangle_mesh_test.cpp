@@ -26,9 +26,7 @@ void expect_consistent(const TriangleMesh& mesh) {
     };
     EXPECT_TRUE(contains_cycle(first, {a, b, c}));
     EXPECT_EQ(second < 0, d < 0);
-    if (second >= 0) {
-      EXPECT_TRUE(contains_cycle(second, {b, a, d}));
-    }
+    if (second >= 0) { EXPECT_TRUE(contains_cycle(second, {b, a, d})); }
   }
   for (int f = 0; f < mesh.n_faces(); ++f)
     for (int k = 0; k < 3; ++k) {

@@ -17,11 +17,14 @@ struct InflatedSphere : testing::Test {
     for (Vec3& x : grown) x *= factor;
   }
   template <class Potential>
-  double energy(const Potential& potential) const { return potential.energy(ShapeState(sphere.mesh, grown)); }
+  double energy(const Potential& potential) const {
+    return potential.energy(ShapeState(sphere.mesh, grown));
+  }
 };
 
 TEST_F(InflatedSphere, HasTheKnownEnergies) {
-  const double volume = enclosed_volume(sphere.mesh, sphere.positions), area = total_area(sphere.mesh, sphere.positions);
+  const double volume = enclosed_volume(sphere.mesh, sphere.positions),
+               area = total_area(sphere.mesh, sphere.positions);
   const double volume_strain = std::pow(factor, 3) - 1, area_strain = std::pow(factor, 2) - 1;
   EXPECT_NEAR(energy(VolumePenalty{7.0, volume}), 3.5 * volume_strain * volume_strain * volume, 1e-12);
   EXPECT_NEAR(energy(TotalAreaPenalty{7.0, area}), 3.5 * area_strain * area_strain * area, 1e-12);
@@ -35,7 +38,8 @@ TEST_F(InflatedSphere, HasTheKnownEnergies) {
 }
 
 TEST_F(InflatedSphere, TensionBalancesTheLaplacePressure) {
-  // At one radius the penalty's pressure is 2 sigma / R, up to the discretisation: the work of a uniform inflation says so.
+  // At one radius the penalty's pressure is 2 sigma / R, up to the discretisation: the work of a uniform inflation says
+  // so.
   const double sigma = 2.0;
   const auto forces = forces_of(SurfaceTension{sigma, 0.0}, sphere.mesh, sphere.positions);
   double work = 0;

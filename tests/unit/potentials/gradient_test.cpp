@@ -6,7 +6,8 @@
 #include "deformed.hpp"
 #include "potentials/potential_set.hpp"
 
-// Each potential against central differences of an energy that is written here from its formula alone, on raw triangles.
+// Each potential against central differences of an energy that is written here from its formula alone, on raw
+// triangles.
 namespace pliant {
 namespace {
 
@@ -68,7 +69,9 @@ void expect_gradient(const DeformedSurface& surface, const Potential& potential,
   EXPECT_LT(norm(torque), 1e-13 * largest * static_cast<double>(forces.size()) * 5);
 }
 
-std::vector<DeformedSurface> all_surfaces() { return {deformed_sphere(2, 1), deformed_sphere(3, 2), deformed_patch(3)}; }
+std::vector<DeformedSurface> all_surfaces() {
+  return {deformed_sphere(2, 1), deformed_sphere(3, 2), deformed_patch(3)};
+}
 
 TEST(Gradient, EdgeSprings) {
   for (const auto& s : all_surfaces())

@@ -57,7 +57,8 @@ TEST(Moduli, HingesOfALatticeBendAsTheSheetDoes) {
   for (int e = 0; e < patch.mesh.n_edges(); ++e)
     EXPECT_NEAR(stiffness[e], patch.mesh.faces_of_edge()[e][1] < 0 ? 0.0 : 2 * b / std::sqrt(3.0), 1e-12);
 
-  // Rolled on a wide cylinder about y, each face has the energy of B / (2 R^2) per area, whichever way the lattice lies.
+  // Rolled on a wide cylinder about y, each face has the energy of B / (2 R^2) per area, whichever way the lattice
+  // lies.
   const double radius = 200.0;
   for (double turn : {0.0, 0.2, std::numbers::pi / 6}) {
     auto rolled = patch.positions;

@@ -14,13 +14,15 @@ TEST(LargestFrequency, OfATriangleAndATetrahedronOfSprings) {
   tetrahedron.potentials.add(EdgeSprings::uniform(tetrahedron.mesh, tetrahedron.positions, 5.0, 1.0));
   EXPECT_NEAR(find_largest_frequency(tetrahedron), std::sqrt(4 * 5.0 / 2.0), 1e-4);
 
-  auto triangle = make_plain_body({TriangleMesh(3, {{0, 1, 2}}), {{0, 0, 0}, {1, 0, 0}, {0.5, std::sqrt(0.75), 0}}}, 2.0);
+  auto triangle =
+      make_plain_body({TriangleMesh(3, {{0, 1, 2}}), {{0, 0, 0}, {1, 0, 0}, {0.5, std::sqrt(0.75), 0}}}, 2.0);
   triangle.potentials.add(EdgeSprings::uniform(triangle.mesh, triangle.positions, 5.0, 1.0));
   EXPECT_NEAR(find_largest_frequency(triangle), std::sqrt(3 * 5.0 / 2.0), 1e-4);
 }
 
 TEST(LargestFrequency, CountsUnequalMasses) {
-  // Springs of rest length 0 make a triangle linear: with one corner held by its mass, the others move against each other.
+  // Springs of rest length 0 make a triangle linear: with one corner held by its mass, the others move against each
+  // other.
   auto body = make_plain_body({TriangleMesh(3, {{0, 1, 2}}), {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, 1.0);
   body.masses[2] = 1e9;
   body.potentials.add(EdgeSprings::uniform(body.mesh, body.positions, 2.0, 0.0));
@@ -31,7 +33,7 @@ TEST(LargestFrequency, OfALatticeIsNearSixAndBelowTheGershgorinBound) {
   auto body = make_plain_body(make_lattice_patch(24), 0.5);
   body.potentials.add(EdgeSprings::uniform(body.mesh, body.positions, 3.0, 1.0));
   const double squared = std::pow(find_largest_frequency(body), 2) * 0.5 / 3.0;
-  EXPECT_LT(squared, 12);  // Gershgorin
+  EXPECT_LT(squared, 12);   // Gershgorin
   EXPECT_GT(squared, 5.8);  // 6 k / m for the endless lattice, a little less for a patch
   EXPECT_LT(squared, 6.0);
 }
