@@ -1,7 +1,5 @@
 #include "simulation/bodies.hpp"
 
-#include <algorithm>
-
 #include "core/error.hpp"
 #include "coupling/one_way.hpp"
 #include "diagnostics/shape.hpp"
@@ -24,8 +22,7 @@ Bodies::Bodies(const CaseConfig& config, const Grid& grid) : fluid_(config.fluid
 }
 
 void Bodies::advance(const FlowSampler& flow, double step) {
-  substeps_ = 0;
-  for (auto& body : bodies_) substeps_ = std::max(substeps_, advance_one_way(body, flow, fluid_, step));
+  for (auto& body : bodies_) advance_one_way(body, flow, fluid_, step);
 }
 
 std::vector<std::string> Bodies::columns(std::size_t body) const {

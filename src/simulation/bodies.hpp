@@ -22,8 +22,6 @@ class Bodies {
 
   /// Moves every body over a fluid step. Collective. Throws RunError, on all ranks, if a motion breaks down.
   void advance(const FlowSampler& flow, double step);
-  /// Substeps of the last advance, the most of all bodies.
-  int substeps() const { return substeps_; }
 
   /// The columns of a body's table, and its line for now.
   std::vector<std::string> columns(std::size_t body) const;
@@ -34,7 +32,6 @@ class Bodies {
  private:
   FluidConfig fluid_;
   std::vector<DeformableBody> bodies_;
-  int substeps_ = 0;
 };
 
 }  // namespace pliant

@@ -9,6 +9,7 @@
 
 #include "core/error.hpp"
 #include "core/timer.hpp"
+#include "core/version.hpp"
 #include "io/agree.hpp"
 #include "io/run_report.hpp"
 #include "simulation/output_folder.hpp"
@@ -47,6 +48,7 @@ struct Simulation::Impl {
   RunResult run(const Simulation& self, const Observer& observer);
   RunResult loop(const Simulation& self, const Observer& observer, const StopSignals& signals);
 
+  void introduce() const;
   double choose_step();
   void advance_fluid(double dt);
   void advance_bodies(double dt);
@@ -131,6 +133,7 @@ RunResult Simulation::Impl::run(const Simulation& self, const Observer& observer
 }
 
 RunResult Simulation::Impl::loop(const Simulation& self, const Observer& observer, const StopSignals& signals) {
+  introduce();
   record(Record::shown);
   write_outputs(Urgency::scheduled);
   if (observer) observer(self);
@@ -161,6 +164,21 @@ RunResult Simulation::Impl::loop(const Simulation& self, const Observer& observe
     result.end = RunEnd::max_steps;
   }
   return result;
+}
+
+void Simulation::Impl::introduce() const {
+  const auto& n = config.box.cells;
+  const auto build = build_info();
+  log.info("Pliant {} ({}): {}", build.version, build.commit, config.title);
+  log.info("{} x {} x {} cells on {} rank{}, {:.3g} MB for the flow on the first", n[0], n[1], n[2], ranks.size(),
+           ranks.size() == 1 ? "" : "s", static_cast<double>(flow.bytes()) / 1e6);
+  for (const auto& body : bodies.all())
+    log.info("body {}: {} vertices, {} faces", body.name, body.mesh.n_vertices(), body.mesh.n_faces());
+  log.info("until t = {:.6g}; outputs in {}", config.time.end, options.output.string());
+  if (config.time.step && *config.time.step > flow.viscous_step_limit())
+    log.warn(
+        "time.step = {:.3g} is beyond the limit of the explicit viscous terms, {:.3g}: the run is likely to blow up",
+        *config.time.step, flow.viscous_step_limit());
 }
 
 bool Simulation::Impl::is_at_end() const {
