@@ -11,6 +11,8 @@ if ((EUID == 0)); then
 fi
 # The tests use up to four ranks, also where there are fewer cores.
 export OMPI_MCA_rmaps_base_oversubscribe="${OMPI_MCA_rmaps_base_oversubscribe:-1}"
+# Ranks that wait give way, which matters where there are more of them than cores.
+export OMPI_MCA_mpi_yield_when_idle="${OMPI_MCA_mpi_yield_when_idle:-1}"
 # Containers commonly forbid one process to read another's memory; Open MPI then warns at every start.
 export OMPI_MCA_btl_vader_single_copy_mechanism="${OMPI_MCA_btl_vader_single_copy_mechanism:-none}"
 
