@@ -23,11 +23,12 @@ def read_arguments():
     size.add_argument("--quick", action="store_true", help="162 and 642 vertices, Ca <= 0.2, shorter runs")
     size.add_argument("--full", action="store_true", help="all meshes and capillary numbers (the default)")
     parser.add_argument("--only", choices=[v.name for v in study.VARIANTS] + ["control"], help="one variant")
-    parser.add_argument("--jobs", type=int, default=len(os.sched_getaffinity(0)), help="runs at a time (default: cores)")
-    parser.add_argument("--reuse", action="store_true", help="keep finished runs of the same command from an earlier call")
+    parser.add_argument("--jobs", type=int, default=len(os.sched_getaffinity(0)), help="runs at a time")
+    parser.add_argument("--reuse", action="store_true", help="keep finished runs of the same command")
     parser.add_argument("--binary", help="the program (default: build/release/pliant)")
-    parser.add_argument("--out", type=Path, default=runs.REPOSITORY / "out" / "drop-in-shear", help="folder for everything")
-    parser.add_argument("--update-readme", action="store_true", help="put tables and figures into the README (full only)")
+    default_out = runs.REPOSITORY / "out" / "drop-in-shear"
+    parser.add_argument("--out", type=Path, default=default_out, help="folder for everything")
+    parser.add_argument("--update-readme", action="store_true", help="put tables and figures into the README")
     arguments = parser.parse_args()
     if arguments.update_readme and (arguments.quick or arguments.only):
         parser.error("--update-readme needs the full set of runs")

@@ -11,7 +11,7 @@ import model
 import study
 
 plt.rcParams.update({"font.size": 10, "axes.spines.top": False, "axes.spines.right": False, "axes.titlesize": 11,
-                     "legend.frameon": False, "savefig.dpi": 150, "figure.facecolor": "white",
+                     "legend.frameon": False, "figure.facecolor": "white",
                      "mathtext.fontset": "dejavusans"})
 RANGE = np.linspace(0.005, 0.33, 120)
 CURVES = np.array([model.shape(ca) for ca in RANGE])
@@ -26,9 +26,9 @@ def draw(results, folder):
         pictures += [draw_panels(results, meshes, folder / "semi-axes-and-angle.png"),
                      draw_differences(results, meshes, folder / "differences.png"),
                      draw_meshes(results, meshes, folder / "meshes.png")]
-        finest = best_picture(results)
-        if finest:
-            pictures.append(draw_summary(results, finest, folder / "drop-in-shear.png"))
+        point = best_picture(results)
+        if point:
+            pictures.append(draw_summary(results, point, folder / "drop-in-shear.png"))
     return pictures
 
 
@@ -36,9 +36,6 @@ def markers(variant):
     """Of different sizes, as the points of the variants lie on each other."""
     face = variant.colour if variant.marker_size < 6 else "none"
     return dict(ls="", marker=variant.marker, color=variant.colour, mfc=face, ms=variant.marker_size, mew=1.3, zorder=3)
-
-
-BY_VISCOSITY = dict(ls="", marker="+", color="black", ms=7, mew=0.9, zorder=4)
 
 
 def plot_points(axis, points, values, **style):
@@ -54,9 +51,6 @@ def plot_axes(axis, results, mesh):
         points = results.points_of(variant, mesh)
         plot_points(axis, points, lambda p: p.mean["L"], label=variant.title, **markers(variant))
         plot_points(axis, points, lambda p: p.mean["B"], **markers(variant))
-    by_viscosity = [p for p in results.points if p.mesh == mesh and p.kind == "viscosity"]
-    plot_points(axis, by_viscosity, lambda p: p.mean["L"], label="Ca by the viscosity", **BY_VISCOSITY)
-    plot_points(axis, by_viscosity, lambda p: p.mean["B"], **BY_VISCOSITY)
     axis.axvline(study.CALIBRATION, color="0.6", lw=0.8, ls=":", zorder=0)
     axis.text(0.03, 1.10, "$L/R$")
     axis.text(0.03, 0.885, "$B/R$")
@@ -68,10 +62,16 @@ def plot_angle(axis, results, mesh):
     for variant in study.VARIANTS:
         plot_points(axis, results.points_of(variant, mesh), lambda p: p.mean["angle"], label=variant.title,
                     **markers(variant))
-    plot_points(axis, [p for p in results.points if p.mesh == mesh and p.kind == "viscosity"],
-                lambda p: p.mean["angle"], label="Ca by the viscosity", **BY_VISCOSITY)
     axis.axvline(study.CALIBRATION, color="0.6", lw=0.8, ls=":", zorder=0)
     axis.set(xlim=(0, 0.33), ylim=(26, 46), xlabel="capillary number Ca")
+
+
+def plot_by_viscosity(above, below, results, mesh):
+    points = [p for p in results.points if p.mesh == mesh and p.kind == "viscosity"]
+    style = dict(ls="", marker="+", color="black", ms=7, mew=0.9, zorder=4)
+    plot_points(above, points, lambda p: p.mean["L"], **style)
+    plot_points(above, points, lambda p: p.mean["B"], **style)
+    plot_points(below, points, lambda p: p.mean["angle"], label="all: Ca by the viscosity", **style)
 
 
 def draw_panels(results, meshes, path):
@@ -81,10 +81,14 @@ def draw_panels(results, meshes, path):
     for column, mesh in enumerate(meshes):
         plot_axes(axes[0, column], results, mesh)
         plot_angle(axes[1, column], results, mesh)
+        plot_by_viscosity(axes[0, column], axes[1, column], results, mesh)
         axes[0, column].set_title(f"{mesh.vertices} vertices")
     axes[0, 0].set_ylabel("semi-axes in the plane of shear")
     axes[1, 0].set_ylabel("angle of $L$ to the flow (degrees)")
-    axes[1, 0].legend(loc="upper right", fontsize=9)
+    entries = {}
+    for axis in axes[1]:
+        entries.update(zip(*reversed(axis.get_legend_handles_labels())))
+    axes[1, 0].legend(entries.values(), entries.keys(), loc="upper right", fontsize=9)
     axes[0, 0].annotate("calibrated here", (study.CALIBRATION, 0.72), xytext=(4, 0), textcoords="offset points",
                         fontsize=8, color="0.4")
     return save(figure, path)
@@ -133,8 +137,9 @@ def draw_surface(axis, positions, triangles, rest, light, dark):
     was_above = rest[triangles].mean(axis=1)[:, 2] > 0
     brightness = 0.55 + 0.45 * np.clip(normals @ np.array([-0.35, -0.75, 0.56]), 0, 1)
     base = np.where(was_above[:, None], matplotlib.colors.to_rgb(light), matplotlib.colors.to_rgb(dark))
-    axis.add_collection(PolyCollection(corners[seen][:, :, [0, 2]], facecolors=np.clip(base * brightness[:, None], 0, 1)[seen],
-                                       edgecolors=(0, 0, 0, 0.35), linewidths=20 / np.sqrt(len(triangles)) * 0.5))
+    shades = np.clip(base * brightness[:, None], 0, 1)
+    axis.add_collection(PolyCollection(corners[seen][:, :, [0, 2]], facecolors=shades[seen],
+                                       edgecolors=(0, 0, 0, 0.35), linewidths=10 / np.sqrt(len(triangles))))
 
 
 def draw_model(axis, capillary, **style):
@@ -175,14 +180,14 @@ def draw_meshes(results, meshes, path):
         axes[row, 0].text(-1.3, 0, f"{mesh.vertices} vertices", rotation=90, va="center", ha="center")
     for axis, title in zip(axes[0], ["at rest"] + [f"{v.title}, Ca = {capillary:g}" for v in variants]):
         axis.set_title(title)
-    return save(figure, path)
+    return save(figure, path, dpi=100)
 
 
 def best_picture(results):
-    """The drop at the largest bounded Ca on the finest mesh, surface tension if it was run."""
+    """The drop at the largest bounded Ca, surface tension if it was run, on a mesh that one can still see."""
     points = [p for p in results.points if p.kind == "calibrated" and p.capillary == max(study.BOUNDED) and p.mean]
     order = {v.name: i for i, v in enumerate(study.VARIANTS)}
-    return min(points, key=lambda p: (-p.mesh.vertices, order[p.variant.name]), default=None)
+    return min(points, key=lambda p: (order[p.variant.name], abs(p.mesh.vertices - 642)), default=None)
 
 
 def draw_summary(results, point, path):
@@ -212,8 +217,8 @@ def draw_summary(results, point, path):
     return save(figure, path)
 
 
-def save(figure, path):
+def save(figure, path, dpi=130):
     path.parent.mkdir(parents=True, exist_ok=True)
-    figure.savefig(path)
+    figure.savefig(path, dpi=dpi)
     plt.close(figure)
     return path

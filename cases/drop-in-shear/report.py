@@ -24,7 +24,8 @@ def worst(points):
 def series_table(results, kind):
     """One line a variant and mesh: the differences at each capillary number."""
     capillary = results.plan.capillary
-    lines = ["| variant | vertices | " + " | ".join(f"Ca {ca:g}" for ca in capillary) + " | largest, Ca <= 0.2 | bound | |",
+    names = " | ".join(f"Ca {ca:g}" for ca in capillary)
+    lines = [f"| variant | vertices | {names} | largest, Ca <= 0.2 | bound | |",
              "|---|---|" + "---|" * len(capillary) + "---|---|---|"]
     for variant in study.VARIANTS:
         for mesh in study.MESHES:
@@ -59,13 +60,14 @@ def control_table(results):
     lines = ["| vertices | shear rate | L | B | angle | bound | |", "|---|---|---|---|---|---|---|"]
     for c in results.controls:
         shape = f"{c.mean['L']:.4f} | {c.mean['B']:.4f} | {c.mean['angle']:.3f}" if c.mean else "failed | | "
-        lines.append(f"| {c.mesh.vertices} | {c.rate:g} | {shape} | {study.CONTROL_ANGLE:g} +- {study.CONTROL_BOUND:g} | "
-                     f"{verdict(c.passes)} |")
+        bound = f"{study.CONTROL_ANGLE:g} +- {study.CONTROL_BOUND:g}"
+        lines.append(f"| {c.mesh.vertices} | {c.rate:g} | {shape} | {bound} | {verdict(c.passes)} |")
     return lines
 
 
 def cost_table(results):
-    lines = ["| variant | vertices | runs | seconds, all | longest run | of which the drop |", "|---|---|---|---|---|---|"]
+    lines = ["| variant | vertices | runs | seconds, all | longest run | of which the drop |",
+             "|---|---|---|---|---|---|"]
     names = {}
     for run in results.all_runs():
         if run.failure is None:
@@ -76,6 +78,8 @@ def cost_table(results):
         variant, vertices = name.rsplit("-", 1)
         lines.append(f"| {variant} | {vertices} | {len(reports)} | {sum(r['wall_seconds'] for r in reports):.1f} | "
                      f"{longest['wall_seconds']:.1f} s | {100 * share:.0f} % |")
+    total = sum(report["wall_seconds"] for reports in names.values() for report in reports)
+    lines.append(f"| all | | {sum(len(reports) for reports in names.values())} | {total:.1f} | | |")
     return lines
 
 
@@ -97,8 +101,9 @@ SECTIONS = (
 
 def markdown(results, command):
     program = next(run for run in results.all_runs() if run.failure is None).report()["program"]
-    lines = [f"Measured by `{command}` (Pliant {program['version']}, commit {program['commit']}, {program['compiler']}, "
-             f"{program['flags']}), averaged over t gamma = {results.plan.average_from:g} to {results.plan.end:g}:", ""]
+    lines = [f"Measured by `{command}` (Pliant {program['version']}, commit {program['commit']}, "
+             f"{program['compiler']}, {program['flags']}), averaged over "
+             f"t gamma = {results.plan.average_from:g} to {results.plan.end:g}:", ""]
     for title, text, table in SECTIONS:
         content = table(results)
         if len(content) > 2:

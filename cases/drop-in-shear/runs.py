@@ -97,13 +97,13 @@ def find_binary(given):
                                        REPOSITORY / "build/portable/pliant"]:
         if path and Path(path).is_file():
             return Path(path)
-    raise RunFailed(f"no program at {given or REPOSITORY / 'build/release/pliant'}: build it (scripts/demo does), or name "
-                    "it with --binary")
+    raise RunFailed(f"no program at {given or REPOSITORY / 'build/release/pliant'}: build it (scripts/demo does), or "
+                    "name it with --binary")
 
 
 def mean_shape(rows, begin):
     """L, B, W in units of the radius at rest and the angle, averaged over time from `begin` on; the volume over
-    that at rest; the radius of the sphere of the volume at rest; and how far L, B and the angle swing about their means."""
+    that at rest; the radius of the sphere of the volume at rest; and half the range of L, B and the angle."""
     rest = (rows[0]["L"] * rows[0]["B"] * rows[0]["W"]) ** (1 / 3)
     radius = (3 * rows[0]["volume"] / (4 * math.pi)) ** (1 / 3)
     kept = [row for row in rows if row["time"] >= begin * (1 - 1e-9)]

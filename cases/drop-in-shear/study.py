@@ -36,9 +36,10 @@ def tension_of_drop(network_tension):
 
 
 VARIANTS = (
-    Variant("tension", "surface tension", "case.toml", Bounds(1.0, 0.5, 5.0), tension_of_drop(114.29), "#1b6ca8", "o", 9.5),
-    Variant("prestressed", "prestressed", "prestressed.toml", Bounds(0.5, 0.3), tension_of_drop(3**0.5 * 66), "#2e8b57",
-            "s", 4.5),
+    Variant("tension", "surface tension", "case.toml", Bounds(1.0, 0.5, 5.0), tension_of_drop(114.29),
+            "#1b6ca8", "o", 9.5),
+    Variant("prestressed", "prestressed", "prestressed.toml", Bounds(0.5, 0.3), tension_of_drop(3**0.5 * 66),
+            "#2e8b57", "s", 4.5),
     Variant("literal", "literal", "literal.toml", Bounds(2.0, 2.5), None, "#c8552b", "^", 7),
 )
 CONTROL_FILE = "traction-only.toml"
