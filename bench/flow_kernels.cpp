@@ -13,8 +13,17 @@ namespace {
 
 struct Box {
   explicit Box(int n)
-      : grid(config(n), boundary(), Communicator(MPI_COMM_SELF)), u(grid), v(grid), w(grid), p(grid), hu(grid),
-        hv(grid), hw(grid), ru(grid), rv(grid), rw(grid) {}
+      : grid(config(n), boundary(), Communicator(MPI_COMM_SELF)),
+        u(grid),
+        v(grid),
+        w(grid),
+        p(grid),
+        hu(grid),
+        hv(grid),
+        hw(grid),
+        ru(grid),
+        rv(grid),
+        rw(grid) {}
   static BoxConfig config(int n) {
     BoxConfig box;
     box.cells = {n, n, 4};

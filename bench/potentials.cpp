@@ -5,7 +5,8 @@
 #include "mesh/shapes/icosphere.hpp"
 #include "structure/make_body.hpp"
 
-// One evaluation of a body's internal forces; items are faces, so the inverse of items_per_second is the time of a face.
+// One evaluation of a body's internal forces; items are faces, so the inverse of items_per_second is the time of a
+// face.
 namespace pliant {
 namespace {
 

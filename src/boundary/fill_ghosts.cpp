@@ -12,8 +12,12 @@ inline void fill_line(double* f, std::ptrdiff_t step, int n, const SideRule& low
       f[-step] = f[(n - 1) * step];
       f[n * step] = f[0];
       return;
-    case SideRule::Kind::mirror: f[-step] = low.sign * f[0] + low.value; break;
-    case SideRule::Kind::face: f[-step] = low.value; break;
+    case SideRule::Kind::mirror:
+      f[-step] = low.sign * f[0] + low.value;
+      break;
+    case SideRule::Kind::face:
+      f[-step] = low.value;
+      break;
   }
   if (high.kind == SideRule::Kind::mirror) {
     f[n * step] = high.sign * f[(n - 1) * step] + high.value;
@@ -56,8 +60,8 @@ void fill_end_planes(View<Location> f, const FieldRules& rules, const Grid& grid
   }
 }
 
-#define PLIANT_INSTANTIATE(L)                                                       \
-  template void fill_plane_ghosts<L>(View<L>, const FieldRules&, int, int, int);   \
+#define PLIANT_INSTANTIATE(L)                                                    \
+  template void fill_plane_ghosts<L>(View<L>, const FieldRules&, int, int, int); \
   template void fill_end_planes<L>(View<L>, const FieldRules&, const Grid&);
 PLIANT_INSTANTIATE(Center)
 PLIANT_INSTANTIATE(FaceX)

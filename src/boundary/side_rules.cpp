@@ -32,8 +32,7 @@ FieldRules velocity_rules(const BoundaryConfig& boundary, int component) {
 FieldRules pressure_rules(const BoundaryConfig& boundary) {
   FieldRules rules;
   for (std::size_t s = 0; s < 6; ++s)
-    rules[s] = std::holds_alternative<PeriodicSide>(boundary[s]) ? SideRule{}
-                                                                 : SideRule{SideRule::Kind::mirror, 1, 0};
+    rules[s] = std::holds_alternative<PeriodicSide>(boundary[s]) ? SideRule{} : SideRule{SideRule::Kind::mirror, 1, 0};
   return rules;
 }
 

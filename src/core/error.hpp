@@ -25,8 +25,8 @@ class RunError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A failure that every rank knows of and throws alike, so that one of them may speak for all and collective clean-up is
-/// still possible.
+/// A failure that every rank knows of and throws alike, so that one of them may speak for all and collective clean-up
+/// is still possible.
 class CollectiveError : public RunError {
  public:
   using RunError::RunError;

@@ -23,11 +23,7 @@ struct View {
 
   Value& operator()(int i, int j, int k) const { return origin[i + j * row + k * plane]; }
   Value* at_row(int j, int k) const { return origin + j * row + k * plane; }
-  operator View<Location, const double>() const
-    requires(!std::is_const_v<Value>)
-  {
-    return {origin, row, plane};
-  }
+  operator View<Location, const double>() const requires(!std::is_const_v<Value>) { return {origin, row, plane}; }
 };
 template <class Location>
 using ConstView = View<Location, const double>;

@@ -59,8 +59,7 @@ struct FlowSolver::Impl {
 
   MomentumInput momentum_input() { return {state.u.view(), state.v.view(), state.w.view(), state.p.view()}; }
   MomentumOutput momentum_output() {
-    return {u_next.view(),    v_next.view(),    w_next.view(),
-            history_u.view(), history_v.view(), history_w.view()};
+    return {u_next.view(), v_next.view(), w_next.view(), history_u.view(), history_v.view(), history_w.view()};
   }
   void predict(const Substep& s, double dt);
   void predict_explicit(const MomentumFactors& factors, HistoryUse use);
@@ -194,10 +193,7 @@ void FlowSolver::Impl::project(double dt_alpha, double lap_weight) {
     const double scale = poisson.rhs_scale() / dt_alpha;
     poisson.solve(
         phi.view(),
-        [&](int k) {
-          divergence_plane(grid, u_next.view(), v_next.view(),
-                           w_next.view(), scale, phi.view(), k);
-        },
+        [&](int k) { divergence_plane(grid, u_next.view(), v_next.view(), w_next.view(), scale, phi.view(), k); },
         [&](int k) { fill_in_plane(phi, rules_p, k); });
   }
   {
@@ -307,8 +303,7 @@ double FlowSolver::viscous_step_limit() const {
 
 double FlowSolver::largest_divergence() const {
   const auto& m = *impl_;
-  return m.grid.ranks().max(
-      pliant::largest_divergence(m.grid, m.state.u.view(), m.state.v.view(), m.state.w.view()));
+  return m.grid.ranks().max(pliant::largest_divergence(m.grid, m.state.u.view(), m.state.v.view(), m.state.w.view()));
 }
 
 double FlowSolver::kinetic_energy() const {

@@ -82,7 +82,8 @@ class FlowSolver {
 /// The Courant number up to which the scheme is stable on its own, for checks of the input: sqrt(3).
 inline constexpr double largest_stable_cfl = 1.7320508;
 
-/// Sets the state of a solver to an initial flow, ghosts included. Collective. `wall` velocities give Couette its profile.
+/// Sets the state of a solver to an initial flow, ghosts included. Collective. `wall` velocities give Couette its
+/// profile.
 void set_initial_flow(FlowSolver& solver, const InitialConfig& initial);
 
 /// The time-step limit of the explicitly treated viscous terms, without building a solver; infinity if none are.

@@ -10,8 +10,8 @@
 
 namespace pliant {
 
-/// Inverts the factored implicit operator (1 - a Lx)(1 - a Ly)(1 - a Lz), or its z factor alone, on the increment of one
-/// velocity component, with the homogeneous form of its boundary rules. Factors are kept for as long as `a` stays.
+/// Inverts the factored implicit operator (1 - a Lx)(1 - a Ly)(1 - a Lz), or its z factor alone, on the increment of
+/// one velocity component, with the homogeneous form of its boundary rules. Factors are kept for as long as `a` stays.
 class HelmholtzAdi {
  public:
   enum class Directions { z, all };

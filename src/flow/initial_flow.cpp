@@ -113,13 +113,21 @@ void set_perturbed(FlowSolver& solver, Vec3 mean, double amplitude, std::uint64_
 void set_initial_flow(FlowSolver& solver, const InitialConfig& initial) {
   const int normal = static_cast<int>(initial.normal);
   switch (initial.flow) {
-    case InitialFlow::rest: set_velocity(solver, [](Vec3) { return Vec3{}; }); break;
-    case InitialFlow::uniform: set_velocity(solver, [&](Vec3) { return initial.velocity; }); break;
-    case InitialFlow::couette: set_couette(solver, normal); break;
+    case InitialFlow::rest:
+      set_velocity(solver, [](Vec3) { return Vec3{}; });
+      break;
+    case InitialFlow::uniform:
+      set_velocity(solver, [&](Vec3) { return initial.velocity; });
+      break;
+    case InitialFlow::couette:
+      set_couette(solver, normal);
+      break;
     case InitialFlow::poiseuille:
       set_poiseuille(solver, static_cast<int>(initial.direction), normal, initial.amplitude);
       break;
-    case InitialFlow::taylor_green: set_taylor_green(solver, normal, initial.amplitude); break;
+    case InitialFlow::taylor_green:
+      set_taylor_green(solver, normal, initial.amplitude);
+      break;
     case InitialFlow::perturbed:
       set_perturbed(solver, initial.velocity, initial.amplitude, initial.seed);
       break;

@@ -8,12 +8,12 @@ namespace {
 // The constants of a plane, by value for the row kernels.
 struct PlaneFactors {
   double dt_gamma, dt_rho, dt_alpha;
-  double x, y;          // 1/4 of the inverse spacings: fluxes are products of two sums
+  double x, y;                    // 1/4 of the inverse spacings: fluxes are products of two sums
   double grad_x, grad_y, grad_z;  // dt alpha over the spacing
   double visc_x, visc_y;          // nu over the square of the spacing
   double cell_z;                  // 1/4 over the thickness of the u and v cells
   double visc_z_up, visc_z_down;
-  double face_z;                  // 1/4 over the thickness of the w cell
+  double face_z;  // 1/4 over the thickness of the w cell
   double visc_w_up, visc_w_down;
   double weight_low, weight_high;  // of the two cells that a w cell spans; they sum to 1
   Vec3 push;                       // dt alpha times the acceleration
@@ -57,8 +57,8 @@ void u_row(const PlaneFactors& f, const MomentumInput& in, const MomentumOutput&
                              f.cell_z * ((w[i] + w[i + 1]) * (t + c) - (wb[i] + wb[i + 1]) * (c + b));
     const double visc_xy = f.visc_x * (e - 2 * c + o) + f.visc_y * (n - 2 * c + s);
     const double visc_z = f.visc_z_up * (t - c) - f.visc_z_down * (c - b);
-    result[i] = Combine<mode, history>::apply(f, advection, visc_xy, visc_z, f.grad_x * (p[i + 1] - p[i]), f.push.x, c,
-                                              h[i]);
+    result[i] =
+        Combine<mode, history>::apply(f, advection, visc_xy, visc_z, f.grad_x * (p[i + 1] - p[i]), f.push.x, c, h[i]);
   });
 }
 
@@ -86,8 +86,8 @@ void v_row(const PlaneFactors& f, const MomentumInput& in, const MomentumOutput&
                              f.cell_z * ((w[i] + wn[i]) * (t + c) - (wb[i] + wnb[i]) * (c + b));
     const double visc_xy = f.visc_x * (e - 2 * c + o) + f.visc_y * (n - 2 * c + s);
     const double visc_z = f.visc_z_up * (t - c) - f.visc_z_down * (c - b);
-    result[i] = Combine<mode, history>::apply(f, advection, visc_xy, visc_z, f.grad_y * (pn[i] - p[i]), f.push.y, c,
-                                              h[i]);
+    result[i] =
+        Combine<mode, history>::apply(f, advection, visc_xy, visc_z, f.grad_y * (pn[i] - p[i]), f.push.y, c, h[i]);
   });
 }
 
@@ -117,8 +117,8 @@ void w_row(const PlaneFactors& f, const MomentumInput& in, const MomentumOutput&
         f.face_z * ((t + c) * (t + c) - (c + b) * (c + b));
     const double visc_xy = f.visc_x * (e - 2 * c + o) + f.visc_y * (n - 2 * c + s);
     const double visc_z = f.visc_w_up * (t - c) - f.visc_w_down * (c - b);
-    result[i] = Combine<mode, history>::apply(f, advection, visc_xy, visc_z, f.grad_z * (pt[i] - p[i]), f.push.z, c,
-                                              h[i]);
+    result[i] =
+        Combine<mode, history>::apply(f, advection, visc_xy, visc_z, f.grad_z * (pt[i] - p[i]), f.push.z, c, h[i]);
   });
 }
 
@@ -136,9 +136,12 @@ template <ViscousMode mode>
 void plane(HistoryUse history, const PlaneFactors& f, const Grid& grid, const MomentumInput& in,
            const MomentumOutput& out, int k) {
   switch (history) {
-    case HistoryUse::write: return plane<mode, HistoryUse::write>(f, grid, in, out, k);
-    case HistoryUse::read_write: return plane<mode, HistoryUse::read_write>(f, grid, in, out, k);
-    case HistoryUse::read: return plane<mode, HistoryUse::read>(f, grid, in, out, k);
+    case HistoryUse::write:
+      return plane<mode, HistoryUse::write>(f, grid, in, out, k);
+    case HistoryUse::read_write:
+      return plane<mode, HistoryUse::read_write>(f, grid, in, out, k);
+    case HistoryUse::read:
+      return plane<mode, HistoryUse::read>(f, grid, in, out, k);
   }
 }
 
@@ -174,9 +177,12 @@ void momentum_plane(const Grid& grid, ViscousMode mode, HistoryUse history, cons
                     const MomentumInput& in, const MomentumOutput& out, int k) {
   const PlaneFactors f = plane_factors(grid, factors, k);
   switch (mode) {
-    case ViscousMode::explicit_rk3: return plane<ViscousMode::explicit_rk3>(history, f, grid, in, out, k);
-    case ViscousMode::implicit_z: return plane<ViscousMode::implicit_z>(history, f, grid, in, out, k);
-    case ViscousMode::implicit: return plane<ViscousMode::implicit>(history, f, grid, in, out, k);
+    case ViscousMode::explicit_rk3:
+      return plane<ViscousMode::explicit_rk3>(history, f, grid, in, out, k);
+    case ViscousMode::implicit_z:
+      return plane<ViscousMode::implicit_z>(history, f, grid, in, out, k);
+    case ViscousMode::implicit:
+      return plane<ViscousMode::implicit>(history, f, grid, in, out, k);
   }
 }
 

@@ -9,9 +9,9 @@ enum class HistoryUse { write, read_write, read };
 
 /// The factors of one substep.
 struct MomentumFactors {
-  double dt_gamma;  ///< dt gamma, weight of the explicit terms H
-  double dt_rho;    ///< dt rho, weight of the last substep's H
-  double dt_alpha;  ///< dt alpha, weight of the pressure gradient, of the implicit terms and of the acceleration
+  double dt_gamma;   ///< dt gamma, weight of the explicit terms H
+  double dt_rho;     ///< dt rho, weight of the last substep's H
+  double dt_alpha;   ///< dt alpha, weight of the pressure gradient, of the implicit terms and of the acceleration
   double viscosity;  ///< kinematic
   Vec3 acceleration;
 };
@@ -41,8 +41,8 @@ struct MomentumOutput {
 /// implicit:      out =     dt [gamma H + rho H_old] + dt alpha (g - grad p + nu L u),   H = -div(u u)
 ///
 /// The implicit forms give the increment before the factored solves. Central differences in flux form; fluxes through
-/// the sides of a w cell are weighted by the thickness of the two cells it spans, so that kinetic energy is conserved on
-/// stretched grids too.
+/// the sides of a w cell are weighted by the thickness of the two cells it spans, so that kinetic energy is conserved
+/// on stretched grids too.
 void momentum_plane(const Grid& grid, ViscousMode mode, HistoryUse history, const MomentumFactors& factors,
                     const MomentumInput& in, const MomentumOutput& out, int k);
 

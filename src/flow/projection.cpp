@@ -60,9 +60,12 @@ void correct(const Grid& grid, double dt_alpha, double weight, ConstView<Center>
 void correct_plane(const Grid& grid, CorrectionTerms terms, double dt_alpha, double lap_weight, ConstView<Center> phi,
                    const CorrectedFields& fields, int k) {
   switch (terms) {
-    case CorrectionTerms::none: return correct<CorrectionTerms::none>(grid, dt_alpha, lap_weight, phi, fields, k);
-    case CorrectionTerms::z: return correct<CorrectionTerms::z>(grid, dt_alpha, lap_weight, phi, fields, k);
-    case CorrectionTerms::all: return correct<CorrectionTerms::all>(grid, dt_alpha, lap_weight, phi, fields, k);
+    case CorrectionTerms::none:
+      return correct<CorrectionTerms::none>(grid, dt_alpha, lap_weight, phi, fields, k);
+    case CorrectionTerms::z:
+      return correct<CorrectionTerms::z>(grid, dt_alpha, lap_weight, phi, fields, k);
+    case CorrectionTerms::all:
+      return correct<CorrectionTerms::all>(grid, dt_alpha, lap_weight, phi, fields, k);
   }
 }
 
@@ -96,8 +99,8 @@ double largest_divergence(const Grid& grid, ConstView<FaceX> u, ConstView<FaceY>
     const double iz = 1 / grid.dz_c()[k];
     for (int j = 0; j < grid.ny(); ++j)
       for (int i = 0; i < grid.nx(); ++i) {
-        const double divergence = (u(i, j, k) - u(i - 1, j, k)) / grid.dx() + (v(i, j, k) - v(i, j - 1, k)) / grid.dy() +
-                                  (w(i, j, k) - w(i, j, k - 1)) * iz;
+        const double divergence = (u(i, j, k) - u(i - 1, j, k)) / grid.dx() +
+                                  (v(i, j, k) - v(i, j - 1, k)) / grid.dy() + (w(i, j, k) - w(i, j, k - 1)) * iz;
         const double size = std::abs(divergence);
         if (!(size <= largest)) largest = size;
         if (std::isnan(size)) return std::numeric_limits<double>::infinity();

@@ -33,7 +33,7 @@ class Grid {
 
   int nx() const { return cells_[0]; }
   int ny() const { return cells_[1]; }
-  int nz() const { return slab_.count; }                 ///< planes of this rank
+  int nz() const { return slab_.count; }                      ///< planes of this rank
   const std::array<int, 3>& cells() const { return cells_; }  ///< of the whole box
   Slab slab() const { return slab_; }
   bool is_periodic(int direction) const { return periodic_[static_cast<std::size_t>(direction)]; }

@@ -10,8 +10,10 @@ namespace pliant {
 
 Slab slab_of_rank(int planes, int ranks, int rank) {
   if (ranks > planes)
-    throw InputError(fmt::format("{} ranks cannot share {} planes of cells in z: use at most {} ranks, or more cells "
-                                 "in z (box.cells)", ranks, planes, planes));
+    throw InputError(
+        fmt::format("{} ranks cannot share {} planes of cells in z: use at most {} ranks, or more cells "
+                    "in z (box.cells)",
+                    ranks, planes, planes));
   const int base = planes / ranks, remainder = planes % ranks;
   return {rank * base + std::min(rank, remainder), base + (rank < remainder ? 1 : 0)};
 }

@@ -47,23 +47,23 @@ PlaneTransform::PlaneTransform(int nx, int ny, std::ptrdiff_t stride, Kind x, Ki
     return;
   }
   if (fourier_x) {
-    forward_.x = checked(fftw_plan_many_dft_r2c(1, &nx, ny, plane, nullptr, 1, pitch, modes, nullptr, 1, pitch / 2,
-                                                flags));
-    backward_.x = checked(fftw_plan_many_dft_c2r(1, &nx, ny, modes, nullptr, 1, pitch / 2, plane, nullptr, 1, pitch,
-                                                 flags));
+    forward_.x =
+        checked(fftw_plan_many_dft_r2c(1, &nx, ny, plane, nullptr, 1, pitch, modes, nullptr, 1, pitch / 2, flags));
+    backward_.x =
+        checked(fftw_plan_many_dft_c2r(1, &nx, ny, modes, nullptr, 1, pitch / 2, plane, nullptr, 1, pitch, flags));
   } else {
     const fftw_r2r_kind there = FFTW_REDFT10, back = FFTW_REDFT01;
-    forward_.x = checked(fftw_plan_many_r2r(1, &nx, ny, plane, nullptr, 1, pitch, plane, nullptr, 1, pitch, &there,
-                                            flags));
-    backward_.x = checked(fftw_plan_many_r2r(1, &nx, ny, plane, nullptr, 1, pitch, plane, nullptr, 1, pitch, &back,
-                                             flags));
+    forward_.x =
+        checked(fftw_plan_many_r2r(1, &nx, ny, plane, nullptr, 1, pitch, plane, nullptr, 1, pitch, &there, flags));
+    backward_.x =
+        checked(fftw_plan_many_r2r(1, &nx, ny, plane, nullptr, 1, pitch, plane, nullptr, 1, pitch, &back, flags));
   }
   // Columns are real numbers here (or the parts of complex ones, with real transforms): all at once, interleaved.
   const fftw_r2r_kind there = fourier_y ? FFTW_R2HC : FFTW_REDFT10, back = fourier_y ? FFTW_HC2R : FFTW_REDFT01;
-  forward_.y = checked(fftw_plan_many_r2r(1, &ny, width_, plane, nullptr, pitch, 1, plane, nullptr, pitch, 1, &there,
-                                          flags));
-  backward_.y = checked(fftw_plan_many_r2r(1, &ny, width_, plane, nullptr, pitch, 1, plane, nullptr, pitch, 1, &back,
-                                           flags));
+  forward_.y =
+      checked(fftw_plan_many_r2r(1, &ny, width_, plane, nullptr, pitch, 1, plane, nullptr, pitch, 1, &there, flags));
+  backward_.y =
+      checked(fftw_plan_many_r2r(1, &ny, width_, plane, nullptr, pitch, 1, plane, nullptr, pitch, 1, &back, flags));
 }
 
 PlaneTransform::~PlaneTransform() { destroy(); }

@@ -12,10 +12,13 @@ SlabTridiagonal make_lines(const Grid& grid, const PlaneTransform& transform, st
   const auto ends = grid.is_periodic(2) ? SlabTridiagonal::Ends::periodic : SlabTridiagonal::Ends::bounded;
   const auto& ex = transform.eigenvalues_x();
   const auto& ey = transform.eigenvalues_y();
-  return {grid.ranks(), ends, grid.nz(), LinePlane{transform.mode_width(), grid.ny(), stride}, transform.fold(),
-          [&](int row, int i) {
-            return sx * ex[static_cast<std::size_t>(i)] + sy * ey[static_cast<std::size_t>(row)];
-          }};
+  return {
+      grid.ranks(),
+      ends,
+      grid.nz(),
+      LinePlane{transform.mode_width(), grid.ny(), stride},
+      transform.fold(),
+      [&](int row, int i) { return sx * ex[static_cast<std::size_t>(i)] + sy * ey[static_cast<std::size_t>(row)]; }};
 }
 
 }  // namespace

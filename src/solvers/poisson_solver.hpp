@@ -6,9 +6,9 @@
 
 namespace pliant {
 
-/// Solves the second-order seven-point lap(phi) = rhs at cell centres, directly: transforms in x and y with the modified
-/// wave numbers of the stencil, tridiagonal in z. Zero normal gradient at bounded sides. If all sides are periodic or
-/// bounded the mean of rhs must be zero to round-off; phi is then fixed up to a constant.
+/// Solves the second-order seven-point lap(phi) = rhs at cell centres, directly: transforms in x and y with the
+/// modified wave numbers of the stencil, tridiagonal in z. Zero normal gradient at bounded sides. If all sides are
+/// periodic or bounded the mean of rhs must be zero to round-off; phi is then fixed up to a constant.
 class PoissonSolver {
  public:
   /// Collective. Uses phi's memory for planning and overwrites it.

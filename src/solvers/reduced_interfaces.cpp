@@ -54,8 +54,9 @@ void ReducedInterfaces::set_closure(const Closure& closure) {
   coefficients_.resize(4 * n);
   const std::array<double, 4> mine{closure.first_below, closure.first_above, closure.last_below, closure.last_above};
   for (std::size_t entry = 0; entry < 4; ++entry)
-    check_mpi(MPI_Allgather(&mine[entry], 1, MPI_DOUBLE, coefficients_.data() + entry * n, 1, MPI_DOUBLE,
-                            ranks_.handle()), "MPI_Allgather");
+    check_mpi(
+        MPI_Allgather(&mine[entry], 1, MPI_DOUBLE, coefficients_.data() + entry * n, 1, MPI_DOUBLE, ranks_.handle()),
+        "MPI_Allgather");
 }
 
 void ReducedInterfaces::set_closure(const double* first_below, const double* first_above, const double* last_below,
@@ -67,19 +68,22 @@ void ReducedInterfaces::set_closure(const double* first_below, const double* fir
   const std::array<const double*, 4> mine{first_below, first_above, last_below, last_above};
   for (std::size_t entry = 0; entry < 4; ++entry)
     check_mpi(MPI_Alltoallv(mine[entry], counts_.data(), offsets_.data(), MPI_DOUBLE,
-                            coefficients_.data() + entry * n * share_, receive_counts_.data(),
-                            receive_offsets_.data(), MPI_DOUBLE, ranks_.handle()), "MPI_Alltoallv");
+                            coefficients_.data() + entry * n * share_, receive_counts_.data(), receive_offsets_.data(),
+                            MPI_DOUBLE, ranks_.handle()),
+              "MPI_Alltoallv");
 }
 
 void ReducedInterfaces::solve(double* y_first, double* y_last) {
   if (!coupled_) return;
   const auto to_share = [&](const double* lines, std::vector<double>& share) {
     check_mpi(MPI_Alltoallv(lines, counts_.data(), offsets_.data(), MPI_DOUBLE, share.data(), receive_counts_.data(),
-                            receive_offsets_.data(), MPI_DOUBLE, ranks_.handle()), "MPI_Alltoallv");
+                            receive_offsets_.data(), MPI_DOUBLE, ranks_.handle()),
+              "MPI_Alltoallv");
   };
   const auto from_share = [&](const std::vector<double>& share, double* lines) {
     check_mpi(MPI_Alltoallv(share.data(), receive_counts_.data(), receive_offsets_.data(), MPI_DOUBLE, lines,
-                            counts_.data(), offsets_.data(), MPI_DOUBLE, ranks_.handle()), "MPI_Alltoallv");
+                            counts_.data(), offsets_.data(), MPI_DOUBLE, ranks_.handle()),
+              "MPI_Alltoallv");
   };
   to_share(y_first, first_);
   to_share(y_last, last_);

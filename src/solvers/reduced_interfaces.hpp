@@ -39,11 +39,11 @@ class ReducedInterfaces {
   Communicator ranks_;
   bool periodic_, coupled_;
   std::size_t lines_, share_;
-  std::vector<int> counts_, offsets_;                 // lines of each rank's share
+  std::vector<int> counts_, offsets_;                  // lines of each rank's share
   std::vector<int> receive_counts_, receive_offsets_;  // this rank's share from each rank
-  std::vector<double> coefficients_;  // [closure entry][slab][line of the share], or [entry][slab]
-  std::size_t line_step_ = 0;         // 0: one closure for all lines
-  std::vector<double> first_, last_;  // [slab][line of the share]
+  std::vector<double> coefficients_;                   // [closure entry][slab][line of the share], or [entry][slab]
+  std::size_t line_step_ = 0;                          // 0: one closure for all lines
+  std::vector<double> first_, last_;                   // [slab][line of the share]
 };
 
 }  // namespace pliant

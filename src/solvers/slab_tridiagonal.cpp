@@ -72,9 +72,8 @@ void SlabTridiagonal::set_coefficients(const SlabRows& rows, int pinned_row, int
   for (std::size_t row = 0; row < table_rows_; ++row)
     for (std::size_t i = 0; i < table_width_; ++i) {
       const bool pinned = static_cast<int>(row) == pinned_row && static_cast<int>(i) == pinned_i;
-      factorise_lines(static_cast<int>(row), static_cast<int>(i),
-                      per_mode_ ? shift_[row * table_width_ + i] : 0.0, pinned ? addition : 0.0,
-                      closures[row * table_width_ + i]);
+      factorise_lines(static_cast<int>(row), static_cast<int>(i), per_mode_ ? shift_[row * table_width_ + i] : 0.0,
+                      pinned ? addition : 0.0, closures[row * table_width_ + i]);
     }
   if (!per_mode_) return interfaces_.set_closure(closures[0]);
   if (!interfaces_.is_coupled()) return;
@@ -190,7 +189,8 @@ void SlabTridiagonal::substitute(int k, double* plane, const double* plane_above
 
 std::size_t SlabTridiagonal::bytes() const {
   return (inverse_.size() + from_below_.size() + shift_.size() + weight_.size() + y_first_.size() + y_last_.size()) *
-             sizeof(double) + interfaces_.bytes();
+             sizeof(double) +
+         interfaces_.bytes();
 }
 
 }  // namespace pliant

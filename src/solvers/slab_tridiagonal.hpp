@@ -13,15 +13,16 @@ struct LinePlane {
   std::ptrdiff_t stride = 0;
 };
 
-/// Coefficients of lower_k x_{k-1} + diagonal_k x_k + upper_k x_{k+1} = d_k over one slab, neighbours' unknowns included.
+/// Coefficients of lower_k x_{k-1} + diagonal_k x_k + upper_k x_{k+1} = d_k over one slab, neighbours' unknowns
+/// included.
 struct SlabRows {
   std::vector<double> lower, diagonal, upper;
 };
 
 /// Solves many tridiagonal systems along z at once, plane by plane; each rank holds the planes of its slab.
 ///
-/// Use: eliminate(k, plane k, plane k - 1) for k ascending, then couple(), then substitute(k, plane k, plane k + 1) for k
-/// descending. On one rank with bounded ends this is the Thomas algorithm; otherwise each slab reduces to its two end
+/// Use: eliminate(k, plane k, plane k - 1) for k ascending, then couple(), then substitute(k, plane k, plane k + 1) for
+/// k descending. On one rank with bounded ends this is the Thomas algorithm; otherwise each slab reduces to its two end
 /// unknowns, ReducedInterfaces solves for the neighbours', and substitution takes them in. Planes are never transposed.
 class SlabTridiagonal {
  public:

@@ -80,9 +80,9 @@ void expect_second_order(double (*error)(const ChannelSetup&), const ChannelSetu
   ChannelSetup fine = coarse;
   fine.n *= 2;
   const double e1 = error(coarse), e2 = error(fine);
-  EXPECT_NEAR(std::log2(e1 / e2), 2.0, 0.2) << "normal " << coarse.normal << " direction " << coarse.direction
-                                            << " mode " << static_cast<int>(coarse.mode) << " stretching "
-                                            << static_cast<int>(coarse.law) << " errors " << e1 << " " << e2;
+  EXPECT_NEAR(std::log2(e1 / e2), 2.0, 0.2)
+      << "normal " << coarse.normal << " direction " << coarse.direction << " mode " << static_cast<int>(coarse.mode)
+      << " stretching " << static_cast<int>(coarse.law) << " errors " << e1 << " " << e2;
 }
 
 TEST(Channel, CouetteStartUpConvergesForWallsInEveryDirection) {

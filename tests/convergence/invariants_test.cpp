@@ -54,7 +54,8 @@ TEST(Invariants, DivergenceIsAtRoundOffAfterEveryStepInEveryBox) {
     }
 }
 
-// Without viscosity the only change of energy is that of the time integrator, whose order shows when the step is halved.
+// Without viscosity the only change of energy is that of the time integrator, whose order shows when the step is
+// halved.
 TEST(Invariants, AdvectionKeepsKineticEnergyToTheOrderOfTheTimeIntegrator) {
   const auto drift = [](int steps, StretchingLaw law) {
     BoundaryConfig sides;

@@ -5,8 +5,8 @@
 #include "boundary/fill_ghosts.hpp"
 #include "solvers/poisson_solver.hpp"
 
-// The seven-point Laplacian of the solution, written out here, must be the right-hand side to round-off: every topology,
-// odd, prime and even sizes, anisotropic extents, stretched z, any number of ranks.
+// The seven-point Laplacian of the solution, written out here, must be the right-hand side to round-off: every
+// topology, odd, prime and even sizes, anisotropic extents, stretched z, any number of ranks.
 namespace pliant {
 namespace {
 
@@ -76,8 +76,8 @@ double relative_residual(const Size& size, int topology, StretchingLaw law) {
 }
 
 TEST(PoissonSolver, SolvesEveryTopologyAndSize) {
-  const Size sizes[] = {{{16, 12, 8}, {1, 1, 1}},    {{15, 9, 11}, {1, 1, 1}},     {{13, 7, 17}, {3, 0.5, 1}},
-                        {{1, 8, 8}, {0.1, 1, 1}},    {{8, 1, 5}, {1, 0.2, 4}},     {{32, 24, 20}, {1, 10, 0.1}},
+  const Size sizes[] = {{{16, 12, 8}, {1, 1, 1}}, {{15, 9, 11}, {1, 1, 1}}, {{13, 7, 17}, {3, 0.5, 1}},
+                        {{1, 8, 8}, {0.1, 1, 1}}, {{8, 1, 5}, {1, 0.2, 4}}, {{32, 24, 20}, {1, 10, 0.1}},
                         {{5, 4, 4}, {2, 3, 5}}};
   for (const auto& size : sizes) {
     if (size.cells[2] < Communicator().size()) continue;  // a rank needs a plane
@@ -86,7 +86,8 @@ TEST(PoissonSolver, SolvesEveryTopologyAndSize) {
           << size.cells[0] << "x" << size.cells[1] << "x" << size.cells[2] << " topology " << topology;
       if (topology & 4) {
         EXPECT_LT(relative_residual(size, topology, StretchingLaw::tanh), 2e-15)
-            << "stretched, " << size.cells[0] << "x" << size.cells[1] << "x" << size.cells[2] << " topology " << topology;
+            << "stretched, " << size.cells[0] << "x" << size.cells[1] << "x" << size.cells[2] << " topology "
+            << topology;
       }
     }
   }

@@ -2,8 +2,8 @@
 
 #include "convergence/flow_fixture.hpp"
 
-// A three-dimensional flow after 20 steps on all ranks against the same run on one rank: each rank computes the whole box
-// by itself as well and compares its slab.
+// A three-dimensional flow after 20 steps on all ranks against the same run on one rank: each rank computes the whole
+// box by itself as well and compares its slab.
 namespace pliant::test {
 namespace {
 

@@ -6,8 +6,8 @@
 #include "solvers/plane_helmholtz.hpp"
 #include "solvers/row_helmholtz.hpp"
 
-// The residual of (1 - a d2) x = d, written out again here, must vanish to round-off for every kind of end, odd and even
-// lengths, and a from nothing to very large.
+// The residual of (1 - a d2) x = d, written out again here, must vanish to round-off for every kind of end, odd and
+// even lengths, and a from nothing to very large.
 namespace pliant {
 namespace {
 
@@ -26,7 +26,8 @@ double residual(const Case& c, const std::vector<double>& x, const std::vector<d
       if (c.ends == LineEnds::periodic) return x[static_cast<std::size_t>((j + c.n) % c.n)];
       return j < 0 ? c.low * x[0] : c.high * x[static_cast<std::size_t>(c.n) - 1];
     };
-    worst = std::max(worst, std::abs(at(i) - c.a * (at(i + 1) - 2 * at(i) + at(i - 1)) - d[static_cast<std::size_t>(i)]));
+    worst =
+        std::max(worst, std::abs(at(i) - c.a * (at(i + 1) - 2 * at(i) + at(i - 1)) - d[static_cast<std::size_t>(i)]));
     scale = std::max(scale, (1 + 4 * c.a) * std::abs(at(i)));
   }
   return worst / scale;
