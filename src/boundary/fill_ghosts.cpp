@@ -5,25 +5,26 @@
 namespace pliant {
 namespace {
 
-// One line of values across a direction: f(-1), f(0) .. f(n - 1), f(n), `step` apart.
-inline void fill_line(double* f, std::ptrdiff_t step, int n, const SideRule& low, const SideRule& high) {
+// One line of values across a direction: f(-1), f(0) .. f(n - 1), f(n), `step` apart; the values of the rules at it.
+inline void fill_line(double* f, std::ptrdiff_t step, int n, const SideRule& low, double low_value, const SideRule& high,
+                      double high_value) {
   switch (low.kind) {
     case SideRule::Kind::periodic:
       f[-step] = f[(n - 1) * step];
       f[n * step] = f[0];
       return;
     case SideRule::Kind::mirror:
-      f[-step] = low.sign * f[0] + low.value;
+      f[-step] = low.sign * f[0] + low_value;
       break;
     case SideRule::Kind::face:
-      f[-step] = low.value;
+      f[-step] = low_value;
       break;
   }
   if (high.kind == SideRule::Kind::mirror) {
-    f[n * step] = high.sign * f[(n - 1) * step] + high.value;
+    f[n * step] = high.sign * f[(n - 1) * step] + high_value;
   } else {
-    f[(n - 1) * step] = high.value;
-    f[n * step] = 2 * high.value - f[(n - 2) * step];
+    f[(n - 1) * step] = high_value;
+    f[n * step] = 2 * high_value - f[(n - 2) * step];
   }
 }
 
@@ -31,32 +32,40 @@ inline void fill_line(double* f, std::ptrdiff_t step, int n, const SideRule& low
 
 template <class Location>
 void fill_plane_ghosts(View<Location> f, const FieldRules& rules, int nx, int ny, int k) {
-  for_rows(ny, [&](int j) { fill_line(f.at_row(j, k), 1, nx, rules[0], rules[1]); });
+  for_rows(ny, [&](int j) {
+    fill_line(f.at_row(j, k), 1, nx, rules[0], rules[0].value_at(j, k), rules[1], rules[1].value_at(j, k));
+  });
   double* row = f.at_row(0, k) - 1;
   const std::ptrdiff_t step = f.row;
   const SideRule low = rules[2], high = rules[3];
-  for_each(nx + 2, [=](int i) { fill_line(row + i, step, ny, low, high); });
+  if (low.values == nullptr && high.values == nullptr)
+    for_each(nx + 2, [=](int i) { fill_line(row + i, step, ny, low, low.value, high, high.value); });
+  else
+    for_each(nx + 2, [=](int i) {
+      fill_line(row + i, step, ny, low, low.value_at(i - 1, k), high, high.value_at(i - 1, k));
+    });
 }
 
 template <class Location>
 void fill_end_planes(View<Location> f, const FieldRules& rules, const Grid& grid) {
   const int nx = grid.nx(), ny = grid.ny(), nz = grid.nz();
-  const auto fill = [&](int ghost, int interior, double sign, double value) {
+  // ghost = sign * interior + factor * value
+  const auto fill = [&](int ghost, int interior, double sign, double factor, const SideRule& rule) {
     for (int j = -1; j <= ny; ++j) {
       double* to = f.at_row(j, ghost);
       const double* from = f.at_row(j, interior);
-      for (int i = -1; i <= nx; ++i) to[i] = sign * from[i] + value;
+      for (int i = -1; i <= nx; ++i) to[i] = sign * from[i] + factor * rule.value_at(i, j);
     }
   };
   const auto& low = rules[4];
   const auto& high = rules[5];
-  if (grid.has_bottom()) fill(-1, 0, low.kind == SideRule::Kind::mirror ? low.sign : 0, low.value);
+  if (grid.has_bottom()) fill(-1, 0, low.kind == SideRule::Kind::mirror ? low.sign : 0, 1, low);
   if (!grid.has_top()) return;
   if (high.kind == SideRule::Kind::mirror) {
-    fill(nz, nz - 1, high.sign, high.value);
+    fill(nz, nz - 1, high.sign, 1, high);
   } else {
-    fill(nz - 1, nz - 1, 0, high.value);
-    fill(nz, nz - 2, -1, 2 * high.value);
+    fill(nz - 1, nz - 1, 0, 1, high);
+    fill(nz, nz - 2, -1, 2, high);
   }
 }
 

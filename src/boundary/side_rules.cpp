@@ -12,6 +12,14 @@ SideRule rule_of(const BoundarySpec& side, int component, int direction) {
       if (component == direction) return {SideRule::Kind::face, 0, velocity};
       return {SideRule::Kind::mirror, -1, 2 * velocity};
     }
+    SideRule operator()(const InflowSide&) const {
+      if (component == direction) return {SideRule::Kind::face, 0, 0};
+      return {SideRule::Kind::mirror, -1, 0};
+    }
+    // What leaves is carried by the convective condition: the ghost itself is given.
+    SideRule operator()(const OutflowSide&) const {
+      return {component == direction ? SideRule::Kind::face : SideRule::Kind::mirror, 0, 0};
+    }
     SideRule operator()(const FreeSlipSide&) const {
       if (component == direction) return {SideRule::Kind::face, 0, 0};
       return {SideRule::Kind::mirror, 1, 0};

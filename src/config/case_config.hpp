@@ -20,8 +20,16 @@ struct WallSide {
   Vec3 velocity;  ///< of the wall; its component normal to the wall must be 0
 };
 struct FreeSlipSide {};
+enum class InflowProfile { uniform, parabolic };
+struct InflowSide {
+  Vec3 velocity;  ///< must point into the box
+  InflowProfile profile = InflowProfile::uniform;
+  double ramp = 0;  ///< time over which the velocity grows from 0; 0: at once
+};
+/// Convective outflow; all outflow sides together let out what comes in.
+struct OutflowSide {};
 /// The condition on one side of the box; the two sides of a direction are both periodic or both not.
-using BoundarySpec = std::variant<PeriodicSide, WallSide, FreeSlipSide>;
+using BoundarySpec = std::variant<PeriodicSide, WallSide, FreeSlipSide, InflowSide, OutflowSide>;
 
 /// Sides in the order x-, x+, y-, y+, z-, z+.
 using BoundaryConfig = std::array<BoundarySpec, 6>;

@@ -13,7 +13,11 @@ struct BoundaryWord {
 };
 
 std::vector<BoundaryWord> boundary_words() {
-  return {{"periodic", PeriodicSide{}}, {"wall", WallSide{}}, {"free-slip", FreeSlipSide{}}};
+  return {{"periodic", PeriodicSide{}},
+          {"wall", WallSide{}},
+          {"free-slip", FreeSlipSide{}},
+          {"inflow", InflowSide{}},
+          {"outflow", OutflowSide{}}};
 }
 
 CaseKey side_type_key(int side) {
@@ -34,16 +38,36 @@ CaseKey side_type_key(int side) {
   return key;
 }
 
-CaseKey wall_velocity_key(int side) {
-  auto key = make_key<CaseConfig>(
-      {"boundary." + side_names()[side] + ".velocity", "velocity", "of the wall; no component normal to it"},
-      [side](auto& config) {
-        auto* wall = std::get_if<WallSide>(&config.boundary[side]);
-        return wall ? &wall->velocity : nullptr;
-      });
+CaseKey side_velocity_key(int side) {
+  auto key = make_key<CaseConfig>({"boundary." + side_names()[side] + ".velocity", "velocity",
+                                   "of the wall, no component normal to it; of the inflow, into the box"},
+                                  [side](auto& config) {
+                                    auto& spec = config.boundary[side];
+                                    if (auto* inflow = std::get_if<InflowSide>(&spec)) return &inflow->velocity;
+                                    auto* wall = std::get_if<WallSide>(&spec);
+                                    return wall ? &wall->velocity : nullptr;
+                                  });
   key.default_value = Json::array({0.0, 0.0, 0.0});
-  return only_when<CaseConfig>(std::move(key), "the side's type is \"wall\"", [side](const CaseConfig& config) {
-    return std::holds_alternative<WallSide>(config.boundary[side]);
+  return only_when<CaseConfig>(
+      std::move(key), "the side's type is \"wall\" or \"inflow\"", [side](const CaseConfig& config) {
+        return std::holds_alternative<WallSide>(config.boundary[side]) ||
+               std::holds_alternative<InflowSide>(config.boundary[side]);
+      });
+}
+
+template <class Value>
+CaseKey inflow_key(int side, KeyText text, Value InflowSide::*member, Limits limits = {}) {
+  text.path = "boundary." + side_names()[side] + "." + text.path;
+  auto key = make_key<CaseConfig>(
+      std::move(text),
+      [side, member](auto& config) {
+        auto* inflow = std::get_if<InflowSide>(&config.boundary[side]);
+        return inflow ? &(inflow->*member) : nullptr;
+      },
+      limits);
+  key.default_value = ValueCodec<Value>::write(InflowSide{}.*member);
+  return only_when<CaseConfig>(std::move(key), "the side's type is \"inflow\"", [side](const CaseConfig& config) {
+    return std::holds_alternative<InflowSide>(config.boundary[side]);
   });
 }
 
@@ -105,7 +129,12 @@ void add_fluid(std::vector<CaseKey>& keys) {
 void add_boundary(std::vector<CaseKey>& keys) {
   for (int side = 0; side < 6; ++side) {
     keys.push_back(side_type_key(side));
-    keys.push_back(wall_velocity_key(side));
+    keys.push_back(side_velocity_key(side));
+    keys.push_back(inflow_key(side,
+                              {"profile", "", "parabolic: times 4 s (1 - s) along each bounded direction of the side"},
+                              &InflowSide::profile));
+    keys.push_back(inflow_key(side, {"ramp", "time", "over which the inflow grows from 0; 0: at once"},
+                              &InflowSide::ramp, at_least(0)));
   }
 }
 

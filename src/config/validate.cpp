@@ -46,12 +46,31 @@ class Validator {
                              boundary_word(config_.boundary[first ? 2 * d + 1 : 2 * d]), first ? lower : upper,
                              name_of(d), first ? lower : upper));
     }
+    check_open_sides();
     for (int side = 0; side < 6; ++side) {
       const auto key = "boundary." + side_names()[side] + ".velocity";
       const auto* wall = std::get_if<WallSide>(&config_.boundary[side]);
       if (!wall || !trusted({key}) || wall->velocity[side / 2] == 0) continue;
       complain(key, fmt::format("has the component {} along {}, normal to the wall; it must be 0",
                                 wall->velocity[side / 2], name_of(side / 2)));
+    }
+  }
+
+  void check_open_sides() {
+    bool has_outflow = false;
+    for (const auto& side : config_.boundary) has_outflow |= std::holds_alternative<OutflowSide>(side);
+    for (int side = 0; side < 6; ++side) {
+      const auto name = "boundary." + side_names()[side];
+      const auto* inflow = std::get_if<InflowSide>(&config_.boundary[side]);
+      if (!inflow || !trusted({name + ".type", name + ".velocity"})) continue;
+      const int d = side / 2;
+      const double inwards = (side % 2 == 0 ? 1 : -1) * inflow->velocity[d];
+      if (!(inwards > 0))
+        complain(name + ".velocity",
+                 fmt::format("has the component {} along {}, which does not point into the box; it must be {} than 0",
+                             inflow->velocity[d], name_of(d), side % 2 == 0 ? "greater" : "less"));
+      if (!has_outflow)
+        complain(name + ".type", "is \"inflow\", but nothing lets the fluid out again; give another side type = \"outflow\"");
     }
   }
 
@@ -87,13 +106,15 @@ class Validator {
       complain("initial.direction", fmt::format("is {0}, and so is initial.normal; the flow must run along the walls",
                                                 word_for(initial.direction)));
     if (initial.flow == poiseuille && initial.direction != initial.normal &&
-        !is_periodic(config_.boundary, index_of(initial.direction)))
-      complain("initial.direction", fmt::format("is {0}, but {0} is not periodic; the flow needs a way through the box",
+        !is_periodic(config_.boundary, index_of(initial.direction)) &&
+        !is_open(config_.boundary, index_of(initial.direction)))
+      complain("initial.direction", fmt::format("is {0}, but {0} is closed; the flow needs a way through the box",
                                                 word_for(initial.direction)));
     for (int d = 0; d < 3; ++d) {
       const bool has_mean = initial.flow == uniform || initial.flow == perturbed;
       if (!has_mean || initial.velocity[d] == 0 || is_periodic(config_.boundary, d)) continue;
-      complain("initial.velocity", fmt::format("has the component {} along {}, which is not periodic; it must be 0",
+      if (is_open(config_.boundary, d)) continue;
+      complain("initial.velocity", fmt::format("has the component {} along {}, which is closed; it must be 0",
                                                initial.velocity[d], name_of(d)));
     }
     if (initial.flow != taylor_green) return;
@@ -141,6 +162,13 @@ std::string place_of(const CaseConfig& config, const std::string& key) {
 bool is_periodic(const BoundaryConfig& boundary, int direction) {
   return std::holds_alternative<PeriodicSide>(boundary[2 * direction]) &&
          std::holds_alternative<PeriodicSide>(boundary[2 * direction + 1]);
+}
+
+bool is_open(const BoundaryConfig& boundary, int direction) {
+  const auto open = [&](int side) {
+    return std::holds_alternative<InflowSide>(boundary[side]) || std::holds_alternative<OutflowSide>(boundary[side]);
+  };
+  return open(2 * direction) && open(2 * direction + 1);
 }
 
 bool has_walls(const BoundaryConfig& boundary, int direction) {

@@ -22,6 +22,8 @@ std::string place_of(const CaseConfig& config, const std::string& key);
 
 /// The conditions at both ends of a direction (0, 1, 2).
 bool is_periodic(const BoundaryConfig& boundary, int direction);
+/// True if fluid may pass both sides of a direction that is not periodic.
+bool is_open(const BoundaryConfig& boundary, int direction);
 bool has_walls(const BoundaryConfig& boundary, int direction);
 
 }  // namespace pliant

@@ -13,6 +13,11 @@ Words<StretchingLaw> words_of<StretchingLaw>() {
 }
 
 template <>
+Words<InflowProfile> words_of<InflowProfile>() {
+  return {{"uniform", InflowProfile::uniform}, {"parabolic", InflowProfile::parabolic}};
+}
+
+template <>
 Words<InitialFlow> words_of<InitialFlow>() {
   return {{"rest", InitialFlow::rest},
           {"uniform", InitialFlow::uniform},

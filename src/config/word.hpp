@@ -19,6 +19,8 @@ Words<Axis> words_of<Axis>();
 template <>
 Words<StretchingLaw> words_of<StretchingLaw>();
 template <>
+Words<InflowProfile> words_of<InflowProfile>();
+template <>
 Words<InitialFlow> words_of<InitialFlow>();
 template <>
 Words<ViscousMode> words_of<ViscousMode>();

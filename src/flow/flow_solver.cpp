@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "boundary/fill_ghosts.hpp"
+#include "boundary/open_sides.hpp"
 #include "flow/helmholtz_adi.hpp"
 #include "flow/momentum.hpp"
 #include "flow/projection.hpp"
@@ -43,8 +44,10 @@ struct FlowSolver::Impl {
         phi(g),
         rules{velocity_rules(p.boundary, 0), velocity_rules(p.boundary, 1), velocity_rules(p.boundary, 2)},
         rules_p(pressure_rules(p.boundary)),
+        open(g, p.boundary),
         halo(g.ranks(), halo_ends(g), g.nz()),
         poisson(g, phi) {
+    for (int c = 0; c < 3; ++c) open.lend_values(rules[static_cast<std::size_t>(c)], c);
     if (p.viscous == ViscousMode::explicit_rk3) return;
     // One set of factors for each substep and component, kept while the time step stays.
     for (int l = 0; l < 3; ++l)
@@ -57,6 +60,7 @@ struct FlowSolver::Impl {
     return {l, rk_gamma[at], rk_rho[at], rk_gamma[at] + rk_rho[at]};
   }
 
+  VelocityViews velocity() { return {state.u.view(), state.v.view(), state.w.view()}; }
   MomentumInput momentum_input() { return {state.u.view(), state.v.view(), state.w.view(), state.p.view()}; }
   MomentumOutput momentum_output() {
     return {u_next.view(), v_next.view(), w_next.view(), history_u.view(), history_v.view(), history_w.view()};
@@ -87,11 +91,13 @@ struct FlowSolver::Impl {
   Field<Center> phi;
   std::array<FieldRules, 3> rules;
   FieldRules rules_p;
+  OpenSides open;
   SlabHalo halo;
   PoissonSolver poisson;
   std::vector<HelmholtzAdi> adi;  // [substep][component]
   PhaseTimer timer;
   double forcing_of_step = 0;
+  double time = 0;
 };
 
 void FlowSolver::Impl::predict(const Substep& s, double dt) {
@@ -119,7 +125,10 @@ void FlowSolver::Impl::predict_implicit(const Substep& s, const MomentumFactors&
   const MomentumInput in = momentum_input();
   const MomentumOutput out = momentum_output();
   HelmholtzAdi* solve = &adi[static_cast<std::size_t>(3 * s.index)];
-  for (int c = 0; c < 3; ++c) solve[c].set_coefficient(0.5 * s.alpha * dt * parameters.viscosity);
+  for (int c = 0; c < 3; ++c) {
+    solve[c].set_coefficient(0.5 * s.alpha * dt * parameters.viscosity);
+    if (open.any()) solve[c].set_side_changes(open.changes(c));
+  }
   const auto u = u_next.view();
   const auto v = v_next.view();
   const auto w = w_next.view();
@@ -244,6 +253,7 @@ void FlowSolver::Impl::fill_state_ghosts() {
 
 FlowSolver::FlowSolver(const Grid& grid, const FlowParameters& parameters)
     : impl_(std::make_unique<Impl>(grid, parameters)) {
+  impl_->open.start(impl_->velocity(), 0);
   fill_ghosts();
 }
 FlowSolver::~FlowSolver() = default;
@@ -254,11 +264,16 @@ const FlowParameters& FlowSolver::parameters() const { return impl_->parameters;
 FlowState& FlowSolver::state() { return impl_->state; }
 const FlowState& FlowSolver::state() const { return impl_->state; }
 PhaseTimer& FlowSolver::timer() { return impl_->timer; }
+double FlowSolver::time() const { return impl_->time; }
+void FlowSolver::set_time(double time) { impl_->time = time; }
+bool FlowSolver::has_open_sides() const { return impl_->open.any(); }
+double FlowSolver::net_outward_flux() const { return impl_->open.net_outward_flux(); }
 double FlowSolver::bulk_forcing() const { return impl_->forcing_of_step; }
 void FlowSolver::fill_ghosts() { impl_->fill_state_ghosts(); }
 
 void FlowSolver::project_initial() {
   auto& m = *impl_;
+  m.open.start(m.velocity(), m.time);
   m.fill_state_ghosts();
   m.u_next.swap(m.state.u);
   m.v_next.swap(m.state.v);
@@ -274,8 +289,11 @@ void FlowSolver::project_initial() {
 void FlowSolver::advance(double dt, const PredictedFlowHook& hook) {
   auto& m = *impl_;
   m.forcing_of_step = 0;
+  double elapsed = 0;
   for (int l = 0; l < 3; ++l) {
     const Substep s = m.substep(l);
+    elapsed += s.alpha * dt;
+    if (m.open.any()) m.open.advance(m.velocity(), m.time + elapsed, s.alpha * dt);
     m.predict(s, dt);
     m.fill_predicted_ghosts(hook ? GhostPlanes::both : GhostPlanes::lower);
     if (hook) {
@@ -290,6 +308,7 @@ void FlowSolver::advance(double dt, const PredictedFlowHook& hook) {
     m.project(s.alpha * dt, 0.5 * s.alpha * dt * m.parameters.viscosity);
   }
   m.forcing_of_step /= dt;
+  m.time += dt;
 }
 
 double FlowSolver::convective_rate() const {

@@ -52,8 +52,17 @@ class FlowSolver {
 
   /// Fills the ghosts of the state, after a caller has changed its interior (an initial field, a restart).
   void fill_ghosts();
-  /// Makes the velocity of the state solenoidal (used once, after an initial field that is not).
+  /// Makes the velocity of the state solenoidal (used once, after an initial field that is not). Open sides take their
+  /// values from the field next to them and from the time.
   void project_initial();
+
+  /// Time of the state; inflows with a ramp depend on it. Every step adds to it.
+  double time() const;
+  void set_time(double time);
+  /// True if fluid passes a side of the box.
+  bool has_open_sides() const;
+  /// Net flux out of the box through its open sides. Collective.
+  double net_outward_flux() const;
 
   /// One full step. Collective. Leaves the divergence at round-off and all ghosts filled.
   void advance(double dt, const PredictedFlowHook& hook = nullptr);

@@ -71,10 +71,49 @@ void HelmholtzAdi::begin_plane(double* plane, const double* plane_below, int k) 
   if (component_ == 2 && grid_.has_top() && k == grid_.nz() - 1)
     for (int j = 0; j < ny; ++j) std::fill_n(plane + j * stride_, nx, 0.0);
   if (directions_ == Directions::all) {
+    add_x_changes(plane, k);
     for (int j = 0; j < ny; ++j) x_.solve(plane + j * stride_);
+    add_y_changes(plane, k);
     y_.solve(plane, nx, stride_, work_.data());
   }
+  add_z_changes(plane, k);
   z_.eliminate(k, plane, plane_below);
+}
+
+// The known increments beside the first and last unknown of a line go to its right-hand side.
+void HelmholtzAdi::add_x_changes(double* plane, int k) const {
+  const double factor = a_ / (grid_.dx() * grid_.dx());
+  const int last = grid_.nx() - (rules_[1].kind == SideRule::Kind::face ? 2 : 1);
+  for (int j = 0; j < grid_.ny(); ++j) {
+    double* row = plane + j * stride_;
+    if (changes_.values[0] != nullptr && last >= 0) row[0] += factor * changes_.at(0, j, k);
+    if (changes_.values[1] != nullptr && last >= 0) row[last] += factor * changes_.at(1, j, k);
+  }
+}
+
+void HelmholtzAdi::add_y_changes(double* plane, int k) const {
+  const double factor = a_ / (grid_.dy() * grid_.dy());
+  const int last = grid_.ny() - (rules_[3].kind == SideRule::Kind::face ? 2 : 1);
+  if (last < 0) return;
+  for (int i = 0; i < grid_.nx(); ++i) {
+    if (changes_.values[2] != nullptr) plane[i] += factor * changes_.at(2, i, k);
+    if (changes_.values[3] != nullptr) plane[last * stride_ + i] += factor * changes_.at(3, i, k);
+  }
+}
+
+void HelmholtzAdi::add_z_changes(double* plane, int k) const {
+  const bool on_faces = component_ == 2;
+  const auto dz_c = grid_.dz_c(), dz_f = grid_.dz_f();
+  const auto add = [&](std::size_t side, double factor) {
+    for (int j = 0; j < grid_.ny(); ++j)
+      for (int i = 0; i < grid_.nx(); ++i) plane[j * stride_ + i] += factor * changes_.at(side, i, j);
+  };
+  const bool known = on_faces && grid_.has_top() && k == grid_.nz() - 1;
+  if (changes_.values[4] != nullptr && grid_.has_bottom() && k == 0 && !known)
+    add(4, on_faces ? a_ / (dz_f[0] * dz_c[0]) : a_ / (dz_c[0] * dz_f[-1]));
+  // The face on the upper side has a row of its own in the z lines, which tells its neighbour.
+  if (changes_.values[5] != nullptr && grid_.has_top() && k == grid_.nz() - 1)
+    add(5, on_faces ? 1.0 : a_ / (dz_c[k] * dz_f[k]));
 }
 
 }  // namespace pliant

@@ -2,7 +2,7 @@
 #include <array>
 #include <vector>
 
-#include "boundary/side_rules.hpp"
+#include "boundary/open_sides.hpp"
 #include "field/field.hpp"
 #include "solvers/plane_helmholtz.hpp"
 #include "solvers/row_helmholtz.hpp"
@@ -23,6 +23,9 @@ class HelmholtzAdi {
   /// Collective.
   void set_coefficient(double a);
 
+  /// Lets the values on open sides change by this much in the present substep. The views must stay valid.
+  void set_side_changes(const SideChanges& changes) { changes_ = changes; }
+
   /// x and y solves of the plane if asked for, then the z elimination; k ascending.
   void begin_plane(double* plane, const double* plane_below, int k);
   /// Collective, after all planes have begun.
@@ -33,12 +36,17 @@ class HelmholtzAdi {
   std::size_t bytes() const { return z_.bytes() + work_.size() * sizeof(double); }
 
  private:
+  void add_x_changes(double* plane, int k) const;
+  void add_y_changes(double* plane, int k) const;
+  void add_z_changes(double* plane, int k) const;
+
   Grid grid_;
   FieldRules rules_;
   int component_;
   Directions directions_;
   std::ptrdiff_t stride_;
   double a_ = -1;
+  SideChanges changes_;
   RowHelmholtz x_;
   PlaneHelmholtz y_;
   SlabTridiagonal z_;

@@ -105,7 +105,7 @@ void set_perturbed(FlowSolver& solver, Vec3 mean, double amplitude, std::uint64_
       if (!solver.grid().is_periodic(d)) damping *= std::sin(pi * s[d]);
     return mean + damping * u;
   });
-  solver.project_initial();
+  if (!solver.has_open_sides()) solver.project_initial();
 }
 
 }  // namespace
@@ -132,7 +132,8 @@ void set_initial_flow(FlowSolver& solver, const InitialConfig& initial) {
       set_perturbed(solver, initial.velocity, initial.amplitude, initial.seed);
       break;
   }
-  solver.fill_ghosts();
+  if (solver.has_open_sides()) solver.project_initial();
+  else solver.fill_ghosts();
 }
 
 }  // namespace pliant

@@ -30,8 +30,10 @@ std::string StepLimits::ruling() const {
 double prescribed_rate(const CaseConfig& config, const Grid& grid) {
   const auto h = smallest_spacing(grid);
   double rate = 0;
-  for (const auto& side : config.boundary)
+  for (const auto& side : config.boundary) {
     if (const auto* wall = std::get_if<WallSide>(&side)) rate = std::max(rate, rate_of(wall->velocity, h));
+    if (const auto* inflow = std::get_if<InflowSide>(&side)) rate = std::max(rate, rate_of(inflow->velocity, h));
+  }
   if (const auto& bulk = config.forcing.bulk_velocity) {
     Vec3 velocity;
     velocity[static_cast<int>(bulk->axis)] = bulk->value;

@@ -40,8 +40,13 @@ double largest_relative_difference(const BoundaryConfig& sides, ViscousMode mode
 }
 
 TEST(RankIndependence, SlabsGiveTheResultOfOneRank) {
-  const BoundaryConfig boxes[] = {periodic_box(), walls_along(2, {-0.5, 0, 0}, {0.5, 0, 0}), walls_along(0),
-                                  walls_along(1)};
+  BoundaryConfig along_x = walls_along(2), along_z = walls_along(1);
+  along_x[0] = InflowSide{{1, 0, 0}, InflowProfile::parabolic, 0.05};
+  along_x[1] = OutflowSide{};
+  along_z[5] = InflowSide{{0.2, 0, -1}};
+  along_z[4] = OutflowSide{};
+  const BoundaryConfig boxes[] = {
+      periodic_box(), walls_along(2, {-0.5, 0, 0}, {0.5, 0, 0}), walls_along(0), walls_along(1), along_x, along_z};
   for (const auto& sides : boxes)
     for (ViscousMode mode : {ViscousMode::explicit_rk3, ViscousMode::implicit_z, ViscousMode::implicit})
       for (StretchingLaw law : {StretchingLaw::uniform, StretchingLaw::tanh})

@@ -71,7 +71,9 @@ bad_case("negative size", CASE.replace("size = [4, 4, 4]", "size = [4, -4, 4]"),
 bad_case("two problems at once", CASE.replace("size = [4, 4, 4]", "size = [4, -4, 4]") + "[fluid]\ndensity = 0\n",
          [r"box\.size", r"fluid\.density", "2 problems"],
          command="run")
-bad_case("later boundary type", CASE.replace('z = "wall"', 'z = "inflow"'), [r'unknown type "inflow"; known: "periodic"'])
+bad_case("unknown boundary type", CASE.replace('z = "wall"', 'z = "inlet"'), [r'unknown type "inlet"; known: "periodic"'])
+bad_case("inflow without a way out", CASE.replace('z = "wall"', '"z-" = { type = "inflow", velocity = [0, 0, 1] }\n"z+" = "wall"'),
+         [r"boundary\.z-\.type.*nothing lets the fluid out"])
 bad_case("half periodic", CASE.replace('z = "wall"', '"z-" = "wall"'), [r"case\.toml:7: boundary\.z-"])
 bad_case("not TOML", CASE.replace("[box]", "[box"), [r"case\.toml:2: not valid TOML"])
 bad_case("empty file", "", [r"case\.toml: is empty"])

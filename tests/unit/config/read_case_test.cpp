@@ -138,10 +138,34 @@ TEST(ReadCase, SyntaxErrorsHaveALine) {
   EXPECT_THROW(read_case("/nonexistent/case"), InputError);
 }
 
-TEST(ReadCase, BoundaryTypesOfLaterVersionsAreUnknown) {
-  EXPECT_THAT(problems_of("[boundary]\nx = { type = \"inflow\", velocity = [1, 0, 0] }"),
-              testing::Each(testing::AnyOf(AllOf(HasSubstr("unknown type \"inflow\"; known: \"periodic\"")),
+TEST(ReadCase, UnknownBoundaryTypesNameTheKnownOnes) {
+  EXPECT_THAT(problems_of("[boundary]\nx = { type = \"inlet\", velocity = [1, 0, 0] }"),
+              testing::Each(testing::AnyOf(AllOf(HasSubstr("unknown type \"inlet\"; known: \"periodic\"")),
                                            HasSubstr("has no effect"))));
+}
+
+TEST(ReadCase, InflowNeedsAWayOutAndPointsIntoTheBox) {
+  const std::string outflow = "\"x+\" = \"outflow\"\n";
+  const auto inflow = [](const std::string& rest) {
+    return "[boundary]\n\"x-\" = { type = \"inflow\", " + rest + " }\n";
+  };
+  EXPECT_THAT(problems_of(inflow("velocity = [1, 0, 0], profile = \"parabolic\", ramp = 0.5") + outflow),
+              testing::IsEmpty());
+  EXPECT_THAT(problems_of(inflow("velocity = [1, 0, 0]") + "\"x+\" = \"wall\"\n"),
+              ElementsAre(AllOf(HasSubstr("boundary.x-.type"), HasSubstr("nothing lets the fluid out"))));
+  EXPECT_THAT(problems_of(inflow("velocity = [-1, 0, 0]") + outflow),
+              ElementsAre(AllOf(HasSubstr("boundary.x-.velocity"), HasSubstr("does not point into the box"))));
+  EXPECT_THAT(problems_of(inflow("velocity = [1, 0, 0], ramp = -1") + outflow),
+              ElementsAre(AllOf(HasSubstr("boundary.x-.ramp"), HasSubstr(">= 0"))));
+  EXPECT_THAT(problems_of(inflow("velocity = [1, 0, 0], profile = \"round\"") + outflow),
+              ElementsAre(HasSubstr("boundary.x-.profile")));
+}
+
+TEST(ReadCase, UniformFlowMayPassOpenSidesOnly) {
+  const std::string open = "[boundary]\n\"x-\" = { type = \"inflow\", velocity = [1, 0, 0] }\n\"x+\" = \"outflow\"\n";
+  EXPECT_THAT(problems_of(open + "[initial]\nflow = \"uniform\"\nvelocity = [1, 0, 0]\n"), testing::IsEmpty());
+  EXPECT_THAT(problems_of(open + "z = \"wall\"\n[initial]\nflow = \"uniform\"\nvelocity = [1, 0, 1]\n"),
+              ElementsAre(HasSubstr("initial.velocity")));
 }
 
 TEST(ReadCase, SidesAreGivenOnce) {

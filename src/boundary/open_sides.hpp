@@ -1,0 +1,78 @@
+#pragma once
+#include <array>
+#include <vector>
+
+#include "boundary/side_rules.hpp"
+#include "field/field.hpp"
+
+namespace pliant {
+
+/// The velocity that open sides read.
+struct VelocityViews {
+  ConstView<FaceX> u;
+  ConstView<FaceY> v;
+  ConstView<FaceZ> w;
+};
+
+/// How much the values of one component on the six sides changed in the last advance; null where a side is closed.
+/// At (a, b) along a side: values[a + b * stride], as SideRule.
+struct SideChanges {
+  std::array<const double*, 6> values{};
+  std::array<std::ptrdiff_t, 6> strides{};
+
+  double at(std::size_t side, int a, int b) const { return values[side][a + b * strides[side]]; }
+};
+
+/// The values that vary along the sides through which fluid passes, for all three components.
+///
+/// Inflow: the given profile times its ramp, 1/2 (1 - cos(pi t / ramp)). Outflow: du/dt + U du/dn = 0 by one explicit upwind
+/// step a substep, U the mean velocity through the side; then the normal velocity of all outflow sides is shifted alike, so
+/// that the net flux through the box vanishes to round-off.
+class OpenSides {
+ public:
+  OpenSides(const Grid& grid, const BoundaryConfig& boundary);
+
+  bool any() const { return !sides_.empty(); }
+  /// Lends the values of a component to its rules. They stay with this object, which must neither move nor die.
+  void lend_values(FieldRules& rules, int component) const;
+  SideChanges changes(int component) const;
+
+  /// Values at the start of a run: inflow of that time, outflow as the interior next to it. Collective.
+  void start(const VelocityViews& velocity, double time);
+  /// Values at the end of a substep: `velocity` with its ghosts as at the beginning, `time` as at the end. Collective.
+  void advance(const VelocityViews& velocity, double time, double dt_alpha);
+
+  /// Net flux out of the box after the last start or advance, as summed over the faces. Collective.
+  double net_outward_flux() const;
+
+ private:
+  struct Side {
+    int number = 0;  ///< 0 .. 5, x- to z+
+    const InflowSide* inflow = nullptr;  ///< null: outflow
+    bool here = false;  ///< this rank's slab touches it
+    int na = 0, nb = 0;
+    std::ptrdiff_t stride = 0;
+    double area = 0;          ///< of the whole side
+    double mean_outward = 0;  ///< mean velocity out of the box
+    std::array<std::vector<double>, 3> values, changes;
+
+    int direction() const { return number / 2; }
+    double outwards() const { return number % 2 == 0 ? -1 : 1; }
+    std::size_t index(int a, int b) const {
+      return static_cast<std::size_t>(a + 1) + static_cast<std::size_t>(b + 1) * static_cast<std::size_t>(stride);
+    }
+  };
+
+  void set_inflow(Side& side, double time) const;
+  void set_outflow(Side& side, const VelocityViews& velocity, double dt_alpha) const;
+  void extend(Side& side) const;
+  void balance();
+  double face_area(const Side& side, int b) const;
+  std::vector<double> outward_fluxes() const;
+
+  Grid grid_;
+  BoundaryConfig boundary_;
+  std::vector<Side> sides_;
+};
+
+}  // namespace pliant
