@@ -41,7 +41,7 @@ void add_mesh_command(CLI::App& app, Action& action) {
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   sphere->add_option("--radius", arguments->radius, "Of the sphere")->capture_default_str();
-  sphere->add_option("-o,--output", arguments->output, "The file to write: .gts, .stl or .obj")->required();
+  sphere->add_option("-o,--output", arguments->output, "The file to write: .gts, .stl, .obj or .ply")->required();
   sphere->callback([arguments, &action] {
     action = on_root(
         [arguments] { write_and_tell(arguments->output, make_icosphere(arguments->frequency, arguments->radius)); });
@@ -55,7 +55,7 @@ void add_mesh_command(CLI::App& app, Action& action) {
 
   auto* convert = command->add_subcommand("convert", "Write a surface in another format");
   convert->add_option("FROM", arguments->input, "The surface to read")->required();
-  convert->add_option("TO", arguments->output, "The file to write: .gts, .stl or .obj")->required();
+  convert->add_option("TO", arguments->output, "The file to write: .gts, .stl, .obj or .ply")->required();
   convert->callback([arguments, &action] {
     action = on_root([arguments] { write_and_tell(arguments->output, read_surface(arguments->input)); });
   });

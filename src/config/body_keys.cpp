@@ -29,7 +29,7 @@ BodyKey file_key() {
   using Codec = ValueCodec<std::filesystem::path>;
   BodyKey key;
   key.path = "surface.file";
-  key.doc = "a triangle mesh read from a file (GTS, STL or OBJ)";
+  key.doc = "a triangle mesh read from a file (GTS, STL, OBJ or PLY)";
   key.type = Codec::type_name();
   key.legal = Codec::legal({});
   key.excludes = {"surface.shape", "surface.frequency", "surface.radius", "surface.diameter"};

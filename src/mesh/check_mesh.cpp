@@ -34,12 +34,13 @@ class ProblemList {
  private:
   std::string place(const std::vector<long>& lines, std::size_t item, const char* kind) const {
     if (item < lines.size()) return fmt::format("{}:{}", data_.source, lines[item]);
-    return fmt::format("{}, {} {}", data_.source, kind, item + 1);
+    return fmt::format("{}, {} {}", data_.source, kind, number(item));
   }
-  static std::string item_name(const std::vector<long>& lines, std::size_t item, const char* kind) {
+  std::string item_name(const std::vector<long>& lines, std::size_t item, const char* kind) const {
     if (item < lines.size()) return fmt::format("the {} of line {}", kind, lines[item]);
-    return fmt::format("{} {}", kind, item + 1);
+    return fmt::format("{} {}", kind, number(item));
   }
+  std::size_t number(std::size_t item) const { return item + static_cast<std::size_t>(data_.first_number); }
   void add(const std::string& where, const std::string& what) {
     if (++count_ <= limit_) problems_.push_back(where + ": " + what);
   }
@@ -63,8 +64,9 @@ void check_indices(const SurfaceData& data, ProblemList& problems) {
     const Face& face = data.faces[f];
     const auto bad = std::find_if(face.begin(), face.end(), [&](int v) { return v < 0 || v >= n; });
     if (bad != face.end())
-      problems.at_face(
-          f, fmt::format("the face names vertex {}, but there are {} vertices; correct the index", *bad + 1, n));
+      problems.at_face(f, fmt::format("the face names vertex {}, but there are {} vertices{}; correct the index",
+                                      static_cast<long>(*bad) + data.first_number, n,
+                                      data.first_number == 0 ? ", counted from 0" : ""));
     else if (face[0] == face[1] || face[1] == face[2] || face[2] == face[0])
       problems.at_face(f, "degenerate face: it names a vertex twice; remove the face or correct its vertices");
   }

@@ -12,6 +12,7 @@
 #include "core/error.hpp"
 #include "mesh/formats/gts.hpp"
 #include "mesh/formats/obj.hpp"
+#include "mesh/formats/ply.hpp"
 #include "mesh/formats/stl.hpp"
 
 namespace pliant {
@@ -22,8 +23,12 @@ struct Format {
   SurfaceData (*read)(std::istream&, const std::string&);
   void (*write)(std::ostream&, const Surface&);
 };
-constexpr Format formats[] = {
-    {".gts", read_gts, write_gts}, {".stl", read_stl, write_stl}, {".obj", read_obj, write_obj}};
+void write_text_ply(std::ostream& output, const Surface& surface) { write_ply(output, surface, PlyEncoding::ascii); }
+
+constexpr Format formats[] = {{".gts", read_gts, write_gts},
+                              {".stl", read_stl, write_stl},
+                              {".obj", read_obj, write_obj},
+                              {".ply", read_ply, write_text_ply}};
 
 const Format& format_of(const std::filesystem::path& path) {
   std::string extension = path.extension().string();
@@ -31,8 +36,8 @@ const Format& format_of(const std::filesystem::path& path) {
                  [](unsigned char c) { return std::tolower(c); });
   for (const Format& format : formats)
     if (extension == format.extension) return format;
-  throw InputError(
-      fmt::format("{}: unknown surface format '{}'; known extensions: .gts, .stl, .obj", path.string(), extension));
+  throw InputError(fmt::format("{}: unknown surface format '{}'; known extensions: .gts, .stl, .obj, .ply",
+                               path.string(), extension));
 }
 
 std::string last_error() { return std::strerror(errno); }

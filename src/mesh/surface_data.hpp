@@ -13,6 +13,7 @@ struct SurfaceData {
   std::vector<Vec3> positions;
   std::vector<Face> faces;
   std::vector<long> vertex_lines, face_lines;  ///< line of each vertex and face; empty if the source has no lines
+  int first_number = 1;                        ///< what the source calls its first vertex and face: 1, or 0
 };
 
 }  // namespace pliant

@@ -1,4 +1,3 @@
 foreach(name taylor_green channel invariants cavity open_flow)
   pliant_test(${name}_test SOURCES ${CMAKE_CURRENT_LIST_DIR}/${name}_test.cpp LIBS pliant_flow)
-  target_include_directories(${name}_test PRIVATE ${CMAKE_SOURCE_DIR}/tests)
 endforeach()

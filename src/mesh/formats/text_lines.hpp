@@ -45,12 +45,15 @@ class LineReader {
   bool next() {
     while (std::getline(input_, line_)) {
       ++number_;
+      bytes_ += static_cast<long>(line_.size()) + 1;
       words_ = split_words(line_);
       if (!words_.empty() && comment_marks_.find(words_[0][0]) == std::string::npos) return true;
     }
     return false;
   }
   long number() const { return number_; }
+  /// The bytes of all lines so far, with their ends.
+  long bytes() const { return bytes_; }
   const std::string& line() const { return line_; }
   const std::vector<std::string_view>& words() const { return words_; }
 
@@ -58,7 +61,7 @@ class LineReader {
   std::istream& input_;
   std::string comment_marks_, line_;
   std::vector<std::string_view> words_;
-  long number_ = 0;
+  long number_ = 0, bytes_ = 0;
 };
 
 }  // namespace pliant

@@ -1,5 +1,3 @@
-#include "io/field_writer.hpp"
-
 #include <gtest/gtest.h>
 #include <hdf5.h>
 #include <sys/resource.h>
@@ -9,6 +7,8 @@
 #include <sstream>
 
 #include "core/error.hpp"
+#include "io/field_writer.hpp"
+#include "mpi/io/shared_folder.hpp"
 
 namespace pliant {
 namespace {
@@ -16,17 +16,6 @@ namespace {
 namespace fs = std::filesystem;
 
 // A folder of its own for a test, the same on all ranks.
-fs::path make_folder(const std::string& name) {
-  const Communicator ranks;
-  const auto folder = fs::temp_directory_path() / ("pliant-" + name + "-" + std::to_string(ranks.size()));
-  if (ranks.is_root()) {
-    fs::remove_all(folder);
-    fs::create_directories(folder);
-  }
-  ranks.barrier();
-  return folder;
-}
-
 std::vector<double> read(const fs::path& path, const char* name, std::vector<hsize_t>& shape) {
   const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
   const hid_t set = H5Dopen2(file, name, H5P_DEFAULT);
@@ -73,7 +62,8 @@ FlowState linear_state(const Grid& grid) {
 }
 
 TEST(FieldWriter, StoresTheCentredFlowAtItsPlace) {
-  const auto folder = make_folder("field-writer");
+  const SharedFolder owner;
+  const auto& folder = owner.path();
   const auto grid = test_grid({5, 4, 7});
   FieldWriter writer(folder, grid, Precision::full);
   const auto state = linear_state(grid);
@@ -108,7 +98,8 @@ TEST(FieldWriter, StoresTheCentredFlowAtItsPlace) {
 }
 
 TEST(FieldWriter, TellsAllRanksOfAFileThatCannotBeWritten) {
-  const auto folder = make_folder("field-writer-full");
+  const SharedFolder owner;
+  const auto& folder = owner.path();
   const auto grid = test_grid({32, 32, 32});
   FieldWriter writer(folder, grid, Precision::full);
   const auto state = linear_state(grid);
@@ -136,7 +127,8 @@ TEST(FieldWriter, TellsAllRanksOfAFileThatCannotBeWritten) {
 }
 
 TEST(FieldWriter, NamesAFolderThatCannotBe) {
-  const auto folder = make_folder("field-writer-blocked");
+  const SharedFolder owner;
+  const auto& folder = owner.path();
   if (Communicator().is_root()) std::ofstream(folder / "fields") << "a file where a folder should be\n";
   Communicator().barrier();
   const auto grid = test_grid({4, 4, 4});
@@ -144,9 +136,7 @@ TEST(FieldWriter, NamesAFolderThatCannotBe) {
   try {
     writer.write(linear_state(grid), 1.0, {0, 0.0});
     FAIL() << "must throw";
-  } catch (const CollectiveError& error) {
-    EXPECT_NE(std::string(error.what()).find("fields"), std::string::npos);
-  }
+  } catch (const CollectiveError& error) { EXPECT_NE(std::string(error.what()).find("fields"), std::string::npos); }
 }
 
 }  // namespace

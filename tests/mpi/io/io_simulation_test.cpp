@@ -1,5 +1,3 @@
-#include "simulation/simulation.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,19 +8,13 @@
 
 #include "config/value_codec.hpp"
 #include "core/error.hpp"
+#include "mpi/io/shared_folder.hpp"
+#include "simulation/simulation.hpp"
 
 namespace pliant {
 namespace {
 
 namespace fs = std::filesystem;
-
-fs::path folder_of(const std::string& name) {
-  const Communicator ranks;
-  const auto folder = fs::temp_directory_path() / ("pliant-run-" + name + "-" + std::to_string(ranks.size()));
-  if (ranks.is_root()) fs::remove_all(folder);
-  ranks.barrier();
-  return folder;
-}
 
 std::string text_of(const fs::path& path) {
   std::ostringstream text;
@@ -70,9 +62,10 @@ SimulationOptions silent(const fs::path& folder) { return {folder, ProgressStyle
 TEST(Simulation, MovesTheSameDropOnAnyNumberOfRanks) {
   const auto config = drop_in_shear();
   const Communicator world, alone(MPI_COMM_SELF);
-  Simulation shared(config, world, silent(folder_of("shared")));
+  const SharedFolder owner;
+  Simulation shared(config, world, silent(owner.path() / "shared"));
   const auto together = shared.run();
-  Simulation own(config, alone, silent(folder_of("alone") / std::to_string(world.rank())));
+  Simulation own(config, alone, silent(owner.path() / ("alone-" + std::to_string(world.rank()))));
   const auto single = own.run();
   EXPECT_EQ(together.end, RunEnd::end_time);
   EXPECT_EQ(together.time, 0.6);
@@ -91,7 +84,8 @@ TEST(Simulation, MovesTheSameDropOnAnyNumberOfRanks) {
 }
 
 TEST(Simulation, LeavesItsFilesAtTheTimesAsked) {
-  const auto folder = folder_of("files");
+  const SharedFolder owner;
+  const auto folder = owner.path() / "run";
   Simulation simulation(drop_in_shear(), Communicator(), silent(folder));
   std::vector<long> steps;
   const auto result = simulation.run([&](const Simulation& now) { steps.push_back(now.step()); });
@@ -112,7 +106,8 @@ TEST(Simulation, LeavesItsFilesAtTheTimesAsked) {
 }
 
 TEST(Simulation, StopsOnAllRanksWhenOneGetsASignal) {
-  const auto folder = folder_of("signal");
+  const SharedFolder owner;
+  const auto folder = owner.path() / "run";
   auto config = drop_in_shear();
   config.time.end = 1000;
   const Communicator ranks;
@@ -124,13 +119,12 @@ TEST(Simulation, StopsOnAllRanksWhenOneGetsASignal) {
   EXPECT_EQ(result.signal, SIGTERM);
   EXPECT_EQ(result.exit_code(), 143);
   EXPECT_EQ(result.steps, 4);
-  if (ranks.is_root()) {
-    EXPECT_EQ(status_of(folder), "stopped by signal 15");
-  }
+  if (ranks.is_root()) { EXPECT_EQ(status_of(folder), "stopped by signal 15"); }
 }
 
 TEST(Simulation, SaysWhyTheFlowBlewUpAndKeepsTheEvidence) {
-  const auto folder = folder_of("blow-up");
+  const SharedFolder owner;
+  const auto folder = owner.path() / "run";
   auto config = drop_in_shear();
   config.bodies.clear();
   config.output = {};
@@ -147,17 +141,14 @@ TEST(Simulation, SaysWhyTheFlowBlewUpAndKeepsTheEvidence) {
     EXPECT_NE(text.find("step "), std::string::npos) << text;
     EXPECT_NE(text.find("flow is not finite"), std::string::npos) << text;
     EXPECT_NE(text.find("time.step"), std::string::npos) << text;
-    if (Communicator().is_root()) {
-      EXPECT_EQ(status_of(folder), "failed: " + text);
-    }
+    if (Communicator().is_root()) { EXPECT_EQ(status_of(folder), "failed: " + text); }
   }
-  if (Communicator().is_root()) {
-    EXPECT_TRUE(fs::exists(folder / "fields.xdmf"));
-  }
+  if (Communicator().is_root()) { EXPECT_TRUE(fs::exists(folder / "fields.xdmf")); }
 }
 
 TEST(Simulation, NamesTheBodyThatBreaks) {
-  const auto folder = folder_of("body");
+  const SharedFolder owner;
+  const auto folder = owner.path() / "run";
   auto config = drop_in_shear();
   config.bodies[0].substeps = 1;
   config.bodies[0].potentials.edge = EdgeConfig{4e6, 0.5};
@@ -169,20 +160,20 @@ TEST(Simulation, NamesTheBodyThatBreaks) {
   } catch (const CollectiveError& error) {
     EXPECT_NE(std::string(error.what()).find("drop"), std::string::npos) << error.what();
   }
-  if (Communicator().is_root()) {
-    EXPECT_EQ(status_of(folder).find("failed: step"), 0u);
-  }
+  if (Communicator().is_root()) { EXPECT_EQ(status_of(folder).find("failed: step"), 0u); }
 }
 
 TEST(Simulation, RefusesAnOutputFolderThatCannotBe) {
-  const auto folder = folder_of("blocked");
+  const SharedFolder owner;
+  const auto folder = owner.path() / "run";
   if (Communicator().is_root()) std::ofstream(folder) << "a file in the way\n";
   Communicator().barrier();
   EXPECT_THROW(Simulation(drop_in_shear(), Communicator(), silent(folder / "out")), InputError);
 }
 
 TEST(Simulation, ClearsWhatAnEarlierRunLeft) {
-  const auto folder = folder_of("again");
+  const SharedFolder owner;
+  const auto folder = owner.path() / "run";
   const Communicator ranks;
   auto config = drop_in_shear();
   config.time.max_steps = 2;
