@@ -7,6 +7,9 @@ using CaseKey = Key<CaseConfig>;
 /// The scheme is unstable beyond sqrt(3).
 constexpr Limits largest_cfl{.min = 0, .min_bound = Bound::exclusive, .max = 1.732};
 
+/// Beyond it the cells at the ends are lost in rounding.
+constexpr Limits strength{.min = 0, .min_bound = Bound::exclusive, .max = 10};
+
 struct BoundaryWord {
   std::string word;
   BoundarySpec spec;
@@ -73,12 +76,12 @@ void add_box(std::vector<CaseKey>& keys) {
   keys.push_back(make_key<CaseConfig>({"box.origin", "length", "corner of the box with the smallest coordinates"},
                                       [](auto& c) { return &c.box.origin; }));
   keys.push_back(make_key<CaseConfig>(
-      {"box.cells", "", "number of cells in x, y, z"}, [](auto& c) { return &c.box.cells; }, at_least(1)));
+      {"box.cells", "", "number of cells in x, y, z"}, [](auto& c) { return &c.box.cells; }, between(1, 100000)));
   keys.push_back(make_key<CaseConfig>({"box.stretching.z.law", "", "how the cells are spread along z"},
                                       [](auto& c) { return &c.box.stretching_z.law; }));
   keys.push_back(only_when<CaseConfig>(make_key<CaseConfig>(
                                            {"box.stretching.z.strength", "", "larger packs more cells at both ends"},
-                                           [](auto& c) { return &c.box.stretching_z.strength; }, positive()),
+                                           [](auto& c) { return &c.box.stretching_z.strength; }, strength),
                                        "box.stretching.z.law is \"tanh\"", stretched));
 }
 
