@@ -103,6 +103,7 @@ void print_steps(const CaseConfig& config, const Grid& grid, std::span<const Def
   fmt::print("# time-step limits at the start:\n");
   fmt::print("#   convective {} (Courant number {:.4g})\n", number(limits.convective), config.time.cfl);
   fmt::print("#   viscous    {}\n", number(limits.viscous));
+  fmt::print("#   decay      {} (a tenth of the longest wave's viscous time)\n", number(limits.decay));
   for (const auto& body : bodies) print_springs(config, body, step);
   fmt::print("# the fluid's step: {}, ruled by {}\n", number(step), ruling.ruling());
 }

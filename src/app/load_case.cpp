@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "config/read_case.hpp"
 #include "config/validate.hpp"
 #include "core/error.hpp"
+#include "io/agree.hpp"
 #include "mesh/geometry.hpp"
 #include "structure/make_body.hpp"
 
@@ -69,6 +71,22 @@ CaseConfig load_case(const CaseArguments& arguments, int ranks) {
   }
   if (!problems.empty()) throw InputError(std::move(problems));
   return config;
+}
+
+CaseConfig load_case(const CaseArguments& arguments, const Communicator& ranks) {
+  std::optional<CaseConfig> config;
+  std::optional<InputError> error;
+  try {
+    config = load_case(arguments, ranks.size());
+  } catch (const InputError& found) { error = found; }
+  const int failed = ranks.max(error ? 1 : 0);
+  const bool alike = failed == 0 || -ranks.max(error ? -1 : 0) == 1;
+  if (alike && error) throw *error;
+  if (alike) return *config;
+  try {
+    agree(ranks, error ? fmt::format("rank {}: {}", ranks.rank(), error->what()) : "");
+  } catch (const CollectiveError& first) { throw InputError(first.what()); }
+  return *config;
 }
 
 }  // namespace pliant

@@ -147,7 +147,7 @@ void add_time(std::vector<CaseKey>& keys) {
       {"time.max_steps", "", "the run ends after so many steps, if that is earlier"},
       [](auto& c) { return &c.time.max_steps; }, at_least(0)));
   keys.push_back(instead_of(make_key<CaseConfig>(
-                                {"time.step", "time", "fixed time step; else the step follows cfl"},
+                                {"time.step", "time", "fixed time step, shortened only to hit the times of outputs; else the step follows cfl"},
                                 [](auto& c) { return &c.time.step; }, positive()),
                             {"time.cfl", "time.max_step"}));
   keys.push_back(only_when<CaseConfig>(
