@@ -78,11 +78,13 @@ void print_json(const ShearCalibration& c) {
 }
 
 int calibrate(const CalibrateArguments& arguments, const Communicator& ranks) {
-  const auto config = load_case(arguments.input, ranks.size());
+  const auto config = load_case(arguments.input, ranks);
   const auto body = find_body(config, arguments.body);
   const double rate = shear_rate(config);
   SimulationOptions options;
-  options.output = arguments.output.empty() ? default_output(config) : std::filesystem::path(arguments.output);
+  // Not the folder of `run`: what is there may be wanted.
+  options.output =
+      arguments.output.empty() ? default_output(config) += "-calibration" : std::filesystem::path(arguments.output);
   // Standard output is for the report alone when a program reads it.
   if (arguments.style == ReportStyle::json) options.progress = ProgressStyle::silent;
   Simulation simulation(config, ranks, options);
@@ -102,7 +104,10 @@ void add_calibrate_command(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand(
       "calibrate", "Run a drop in shear; print the capillary number and surface tension that its constants stand for");
   add_case_arguments(*command, arguments->input);
-  command->add_option("--out", arguments->output, "Folder for the outputs of the run")->type_name("DIR");
+  command
+      ->add_option("--out", arguments->output,
+                   "Folder for the outputs; default: out/ and the name of the case, -calibration")
+      ->type_name("DIR");
   command->add_option("--body", arguments->body, "The body, if there are several")->type_name("NAME");
   command->add_option("--average-from", arguments->average_from, "Average from this time; default: half of the run")
       ->type_name("T");

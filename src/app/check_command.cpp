@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <span>
+#include <vector>
 
 #include "app/command.hpp"
 #include "app/load_case.hpp"
@@ -51,13 +53,25 @@ double initial_rate(const InitialConfig& initial, const Grid& grid) {
 
 std::string number(double value) { return std::isfinite(value) ? fmt::format("{:.6g}", value) : "none"; }
 
-void print_memory(const CaseConfig& config, int ranks) {
+std::vector<DeformableBody> make_bodies(const CaseConfig& config, const Grid& grid) {
+  const double mean_dz = grid.size().z / grid.cells()[2];
+  std::vector<DeformableBody> bodies;
+  for (const auto& body : config.bodies)
+    bodies.push_back(make_body(body, {config.folder, (grid.dx() + grid.dy() + mean_dz) / 3}));
+  return bodies;
+}
+
+void print_memory(const CaseConfig& config, std::span<const DeformableBody> bodies, int ranks) {
   const auto memory = estimate_memory(config, ranks);
+  double body_bytes = 0;
+  for (const auto& body : bodies) body_bytes += estimate_body_bytes(body.mesh.n_vertices());
   fmt::print(
       "# memory of a rank: {:.4g} MB for the flow ({:.1f} doubles a cell; {} of {} planes on the fullest of {} "
-      "rank{})\n",
+      "rank{})",
       memory.flow_bytes / 1e6, memory.doubles_per_cell, memory.planes, config.box.cells[2], ranks,
       ranks == 1 ? "" : "s");
+  if (!bodies.empty()) fmt::print(", about {:.2g} MB for the bodies", body_bytes / 1e6);
+  fmt::print("\n");
 }
 
 /// The drag of every vertex over its velocity where the traction is a drag; else none that helps stability.
@@ -69,9 +83,7 @@ std::vector<double> drag_of(const DeformableBody& body, double viscosity) {
   return drag;
 }
 
-void print_springs(const CaseConfig& config, const BodyConfig& body_config, const Grid& grid, double step) {
-  const double mean_dz = grid.size().z / grid.cells()[2];
-  const auto body = make_body(body_config, {config.folder, (grid.dx() + grid.dy() + mean_dz) / 3});
+void print_springs(const CaseConfig& config, const DeformableBody& body, double step) {
   if (body.motion == MotionKind::fixed) return;
   const double limit = stable_time_step(body, drag_of(body, config.fluid.viscosity));
   const double needed = std::max(1.0, std::ceil(step / (substep_safety * limit)));
@@ -81,8 +93,7 @@ void print_springs(const CaseConfig& config, const BodyConfig& body_config, cons
              body.substeps && *body.substeps < needed ? " (as given; stability asks for more)" : "");
 }
 
-void print_steps(const CaseConfig& config) {
-  const Grid grid(config.box, config.boundary, Communicator(MPI_COMM_SELF));
+void print_steps(const CaseConfig& config, const Grid& grid, std::span<const DeformableBody> bodies) {
   const double viscous = viscous_step_limit(grid, config.fluid.viscosity / config.fluid.density, config.time.viscous);
   auto adaptive = config;
   adaptive.time.step.reset();
@@ -92,7 +103,8 @@ void print_steps(const CaseConfig& config) {
   fmt::print("# time-step limits at the start:\n");
   fmt::print("#   convective {} (Courant number {:.4g})\n", number(limits.convective), config.time.cfl);
   fmt::print("#   viscous    {}\n", number(limits.viscous));
-  for (const auto& body : config.bodies) print_springs(config, body, grid, step);
+  fmt::print("#   decay      {} (a tenth of the longest wave's viscous time)\n", number(limits.decay));
+  for (const auto& body : bodies) print_springs(config, body, step);
   fmt::print("# the fluid's step: {}, ruled by {}\n", number(step), ruling.ruling());
 }
 
@@ -100,9 +112,11 @@ int check(const CheckArguments& arguments, const Communicator& communicator) {
   const int ranks = arguments.ranks > 0 ? arguments.ranks : communicator.size();
   const auto config = load_case(arguments.input, ranks);
   if (!communicator.is_root()) return exit_success;
+  const Grid grid(config.box, config.boundary, Communicator(MPI_COMM_SELF));
+  const auto bodies = make_bodies(config, grid);
   fmt::print("{}\n# --- The case is sound.\n", to_toml(config));
-  print_memory(config, ranks);
-  print_steps(config);
+  print_memory(config, bodies, ranks);
+  print_steps(config, grid, bodies);
   return exit_success;
 }
 }  // namespace

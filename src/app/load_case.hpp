@@ -8,4 +8,8 @@ namespace pliant {
 /// closed and inside the box. Throws InputError with every problem. Every rank reads; nothing is communicated.
 CaseConfig load_case(const CaseArguments& arguments, int ranks);
 
+/// The same on all ranks of a run. What only some of them find (a file that is missing on one machine) becomes the
+/// InputError of all, so that none waits for the others. Collective.
+CaseConfig load_case(const CaseArguments& arguments, const Communicator& ranks);
+
 }  // namespace pliant

@@ -1,16 +1,23 @@
 #include "app/memory_estimate.hpp"
 
+#include <fmt/format.h>
 #include <mpi.h>
+#include <unistd.h>
 
-#include <algorithm>
+#include <array>
+#include <cmath>
 
+#include "config/validate.hpp"
+#include "core/error.hpp"
 #include "flow/flow_solver.hpp"
 
 namespace pliant {
 namespace {
-double slab_bytes(const CaseConfig& config, int planes) {
+using Cells = std::array<int, 3>;
+
+double slab_bytes(const CaseConfig& config, const Cells& cells) {
   auto box = config.box;
-  box.cells[2] = planes;
+  box.cells = cells;
   const Grid grid(box, config.boundary, Communicator(MPI_COMM_SELF));
   FlowParameters parameters;
   parameters.density = config.fluid.density;
@@ -19,22 +26,56 @@ double slab_bytes(const CaseConfig& config, int planes) {
   parameters.boundary = config.boundary;
   return static_cast<double>(FlowSolver(grid, parameters).bytes());
 }
+
+// Every array is a product of lengths that grow with the cells of one direction each, so the sum is linear in each of
+// the three numbers of cells: two small numbers a direction tell the rest.
+double extrapolated_bytes(const CaseConfig& config, Cells cells, std::size_t direction) {
+  constexpr Cells small{32, 32, 4}, large{64, 64, 8};
+  if (direction == 3) return slab_bytes(config, cells);
+  const int n = cells[direction];
+  if (n <= large[direction]) return extrapolated_bytes(config, cells, direction + 1);
+  const auto bytes_at = [&](int count) {
+    cells[direction] = count;
+    return extrapolated_bytes(config, cells, direction + 1);
+  };
+  const double first = bytes_at(small[direction]), second = bytes_at(large[direction]);
+  const double slope = (second - first) / (large[direction] - small[direction]);
+  return second + slope * (n - large[direction]);
+}
 }  // namespace
 
 MemoryEstimate estimate_memory(const CaseConfig& config, int ranks) {
-  constexpr int thin = 4, thick = 8;
   MemoryEstimate estimate;
-  estimate.planes = (config.box.cells[2] + ranks - 1) / ranks;
-  if (estimate.planes <= thick) {
-    estimate.flow_bytes = slab_bytes(config, estimate.planes);
-  } else {
-    const double first = slab_bytes(config, thin), second = slab_bytes(config, thick);
-    const double per_plane = (second - first) / (thick - thin);
-    estimate.flow_bytes = second + per_plane * (estimate.planes - thick);
-  }
-  const double cells = 1.0 * config.box.cells[0] * config.box.cells[1] * estimate.planes;
-  estimate.doubles_per_cell = estimate.flow_bytes / (8 * cells);
+  auto cells = config.box.cells;
+  estimate.planes = cells[2] = (cells[2] + ranks - 1) / ranks;
+  estimate.flow_bytes = extrapolated_bytes(config, cells, 0);
+  estimate.doubles_per_cell = estimate.flow_bytes / (8.0 * cells[0] * cells[1] * cells[2]);
   return estimate;
+}
+
+double estimate_body_bytes(int n_vertices) {
+  // A closed surface has two faces and three edges a vertex. Bytes a vertex: the mesh 200, the state 110, all
+  // potentials 140, loads and shape 120, samples of the flow 230 to 460 (probes on faces), the copy for the output 24.
+  constexpr double bytes_per_vertex = 1000;
+  return bytes_per_vertex * n_vertices;
+}
+
+void require_memory(const CaseConfig& config, const Communicator& ranks) {
+  MPI_Comm node = MPI_COMM_NULL;
+  check_mpi(MPI_Comm_split_type(ranks.handle(), MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &node), "MPI_Comm_split_type");
+  const int ranks_here = Communicator(node).size();
+  check_mpi(MPI_Comm_free(&node), "MPI_Comm_free");
+  constexpr double least_doubles_per_cell = 11;
+  const auto& n = config.box.cells;
+  const double planes = std::ceil(static_cast<double>(n[2]) / ranks.size());
+  const double needed = 8 * least_doubles_per_cell * n[0] * n[1] * planes * ranks_here;
+  const double present = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+  const double excess = ranks.max(present > 0 ? needed / present : 0.0);
+  if (excess <= 1) return;
+  throw InputError(
+      fmt::format("{} {} x {} x {} needs at least {:.4g} GB on one machine, {:.3g} times the memory that it has; use "
+                  "fewer cells, or more machines",
+                  place_of(config, "box.cells"), n[0], n[1], n[2], needed / 1e9, excess));
 }
 
 }  // namespace pliant

@@ -2,6 +2,7 @@
 #include <cstddef>
 
 #include "config/case_config.hpp"
+#include "parallel/communicator.hpp"
 
 namespace pliant {
 
@@ -11,8 +12,15 @@ struct MemoryEstimate {
   int planes = 0;               ///< of that rank
 };
 
-/// Memory of the flow solver on the fullest of `ranks` ranks. Two thin slabs of the same width are built and
-/// extrapolated to the true number of planes, so that a large case can be checked on a small machine.
+/// Memory of the flow solver on the fullest of `ranks` ranks. Small boxes are built and extrapolated to the true
+/// numbers of cells, so that a large case can be checked on a small machine.
 MemoryEstimate estimate_memory(const CaseConfig& config, int ranks);
+
+/// Memory of a body on every rank, roughly.
+double estimate_body_bytes(int n_vertices);
+
+/// Throws InputError, on all ranks, if the flow alone is certain not to fit into the memory of a machine that some of
+/// the ranks share. Collective.
+void require_memory(const CaseConfig& config, const Communicator& ranks);
 
 }  // namespace pliant

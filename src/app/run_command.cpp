@@ -5,6 +5,7 @@
 
 #include "app/command.hpp"
 #include "app/load_case.hpp"
+#include "app/memory_estimate.hpp"
 #include "app/output_name.hpp"
 #include "simulation/simulation.hpp"
 
@@ -20,7 +21,8 @@ struct RunArguments {
 int run(RunArguments arguments, const Communicator& ranks) {
   if (!arguments.end_time.empty()) arguments.input.overrides.push_back("time.end=" + arguments.end_time);
   if (!arguments.max_steps.empty()) arguments.input.overrides.push_back("time.max_steps=" + arguments.max_steps);
-  const auto config = load_case(arguments.input, ranks.size());
+  const auto config = load_case(arguments.input, ranks);
+  require_memory(config, ranks);
   SimulationOptions options;
   options.output = arguments.output.empty() ? default_output(config) : std::filesystem::path(arguments.output);
   options.progress = arguments.progress;

@@ -7,6 +7,9 @@ using CaseKey = Key<CaseConfig>;
 /// The scheme is unstable beyond sqrt(3).
 constexpr Limits largest_cfl{.min = 0, .min_bound = Bound::exclusive, .max = 1.732};
 
+/// Beyond it the cells at the ends are lost in rounding.
+constexpr Limits strength{.min = 0, .min_bound = Bound::exclusive, .max = 10};
+
 struct BoundaryWord {
   std::string word;
   BoundarySpec spec;
@@ -97,12 +100,12 @@ void add_box(std::vector<CaseKey>& keys) {
   keys.push_back(make_key<CaseConfig>({"box.origin", "length", "corner of the box with the smallest coordinates"},
                                       [](auto& c) { return &c.box.origin; }));
   keys.push_back(make_key<CaseConfig>(
-      {"box.cells", "", "number of cells in x, y, z"}, [](auto& c) { return &c.box.cells; }, at_least(1)));
+      {"box.cells", "", "number of cells in x, y, z"}, [](auto& c) { return &c.box.cells; }, between(1, 100000)));
   keys.push_back(make_key<CaseConfig>({"box.stretching.z.law", "", "how the cells are spread along z"},
                                       [](auto& c) { return &c.box.stretching_z.law; }));
   keys.push_back(only_when<CaseConfig>(make_key<CaseConfig>(
                                            {"box.stretching.z.strength", "", "larger packs more cells at both ends"},
-                                           [](auto& c) { return &c.box.stretching_z.strength; }, positive()),
+                                           [](auto& c) { return &c.box.stretching_z.strength; }, strength),
                                        "box.stretching.z.law is \"tanh\"", stretched));
 }
 
@@ -173,7 +176,7 @@ void add_time(std::vector<CaseKey>& keys) {
       {"time.max_steps", "", "the run ends after so many steps, if that is earlier"},
       [](auto& c) { return &c.time.max_steps; }, at_least(0)));
   keys.push_back(instead_of(make_key<CaseConfig>(
-                                {"time.step", "time", "fixed time step; else the step follows cfl"},
+                                {"time.step", "time", "fixed time step, shortened only to hit the times of outputs; else the step follows cfl"},
                                 [](auto& c) { return &c.time.step; }, positive()),
                             {"time.cfl", "time.max_step"}));
   keys.push_back(only_when<CaseConfig>(

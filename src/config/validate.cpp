@@ -10,6 +10,7 @@
 namespace pliant {
 namespace {
 std::string name_of(int direction) { return std::string(1, "xyz"[direction]); }
+constexpr std::size_t longest_name = 100;  // file systems end at 255, with what is added to it
 int index_of(Axis axis) { return static_cast<int>(axis); }
 
 class Validator {
@@ -138,6 +139,10 @@ class Validator {
       const bool plain = std::all_of(body.name.begin(), body.name.end(),
                                      [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-'; });
       if (!plain) complain(prefix + ".name", "names files: use only letters, digits, - and _");
+      if (body.name == "fields") complain(prefix + ".name", "is the name of the flow's own files; choose another");
+      if (body.name.size() > longest_name)
+        complain(prefix + ".name",
+                 fmt::format("has {} characters; it names files: use at most {}", body.name.size(), longest_name));
       const auto* sphere = std::get_if<SphereSurface>(&body.surface);
       const bool known = trusted({prefix + ".surface", prefix + ".surface.shape", prefix + ".surface.radius",
                                   prefix + ".surface.diameter", prefix + ".center", "box.size", "box.origin"});

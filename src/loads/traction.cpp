@@ -1,5 +1,8 @@
 #include "loads/traction.hpp"
 
+#include <fmt/format.h>
+
+#include "core/error.hpp"
 #include "mesh/geometry.hpp"
 
 namespace pliant {
@@ -34,7 +37,18 @@ Traction::Traction(const DeformableBody& body, const FlowSampler& flow, const Fl
   if (body.traction.form == TractionForm::none) return;
   points_ = body.traction.form == TractionForm::drag ? body.positions : probe_ends(body);
   samples_.resize(points_.size());
-  flow.sample(points_, samples_);
+  try {
+    flow.sample(points_, samples_);
+  } catch (const CollectiveError& error) {
+    throw CollectiveError(fmt::format(
+        "body '{}': {}; {}", body.name, error.what(),
+        body.traction.form == TractionForm::drag
+            ? "the body has left the box"
+            : fmt::format(
+                  "the body, with its probes of length {:.4g}, has come too close to a side of the box; shorten "
+                  "traction.probe_length or make the box larger",
+                  body.traction.probe_length)));
+  }
 }
 
 void Traction::evaluate(const DeformableBody& body, const ShapeState& shape, VertexLoads& loads) const {

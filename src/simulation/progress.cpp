@@ -1,6 +1,7 @@
 #include "simulation/progress.hpp"
 
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -22,8 +23,13 @@ ProgressStyle resolve(ProgressStyle style) {
   return isatty(STDOUT_FILENO) && !is_launched ? ProgressStyle::bar : ProgressStyle::lines;
 }
 
-std::string draw_bar(double fraction) {
-  constexpr int width = 20;
+std::size_t terminal_columns() {
+  struct winsize size {};
+  const bool known = ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  return known ? size.ws_col : 80;
+}
+
+std::string draw_bar(double fraction, int width) {
   const int full = static_cast<int>(std::lround(std::clamp(fraction, 0.0, 1.0) * width));
   return fmt::format("[{}{}]", std::string(static_cast<std::size_t>(full), '#'),
                      std::string(static_cast<std::size_t>(width - full), '.'));
@@ -56,7 +62,8 @@ void Progress::show(const ProgressLine& line) {
     log_.info("{}", text);
     return;
   }
-  fmt::print("\r\x1b[K{}", text);
+  // A line that wraps could not be drawn over: each would stay, and push the screen up.
+  fmt::print("\r\x1b[K{}", text.substr(0, terminal_columns() - 1));
   std::fflush(stdout);
   is_drawn_ = true;
 }
@@ -78,9 +85,16 @@ std::string Progress::describe(const ProgressLine& line, double wall) const {
   std::string speed;
   if (steps > 0 && wall > 0)
     speed = fmt::format("  {:.3g} steps/s  {:.3g} ns/cell", steps / wall, 1e9 * wall / (steps * goal_.cells));
-  const auto bar = style_ == ProgressStyle::bar ? draw_bar(fraction) + " " : std::string();
-  return fmt::format("{}step {}  t {:.4g}/{:.4g}  dt {:.2e}  cfl {:.3f}  div {:.1e}{}  left {}", bar, line.step,
-                     line.time, goal_.end_time, line.dt, line.cfl, line.divergence, speed, format_duration(left));
+  const auto remaining = format_duration(left);
+  const auto text = fmt::format("step {}  t {:.4g}/{:.4g}  dt {:.2e}  cfl {:.3f}  div {:.1e}{}  left {}", line.step,
+                                line.time, goal_.end_time, line.dt, line.cfl, line.divergence, speed, remaining);
+  if (style_ != ProgressStyle::bar) return text;
+  constexpr std::size_t wide = 20, brackets = 4;
+  if (text.size() + wide + brackets <= terminal_columns()) return draw_bar(fraction, wide) + " " + text;
+  // What a narrow terminal has room for.
+  const auto rate = steps > 0 && wall > 0 ? fmt::format(" {:.3g} steps/s", steps / wall) : std::string();
+  return fmt::format("{} {} t {:.4g}/{:.4g} cfl {:.2f} div {:.0e}{} left {}", draw_bar(fraction, 6), line.step,
+                     line.time, goal_.end_time, line.cfl, line.divergence, rate, remaining);
 }
 
 }  // namespace pliant

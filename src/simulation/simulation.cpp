@@ -80,6 +80,7 @@ struct Simulation::Impl {
   double dt = 0;
   std::optional<double> rate;  // convective, of the present flow; unknown after a step until someone asks
   double last_cfl = 0;
+  long last_shown = -1;
   std::string body_problem;
 };
 
@@ -244,7 +245,8 @@ void Simulation::Impl::record(Record wanted) {
     row.bulk_forcing = flow.bulk_forcing();
     outputs->write_history(now, row, bodies);
   }
-  if (shown) progress.show({now.step, now.time, dt, row.cfl, row.divergence});
+  if (shown && now.step != last_shown) progress.show({now.step, now.time, dt, row.cfl, row.divergence});
+  if (shown) last_shown = now.step;
 }
 
 void Simulation::Impl::write_outputs(Urgency urgency) {
@@ -255,8 +257,13 @@ void Simulation::Impl::write_outputs(Urgency urgency) {
 void Simulation::Impl::fail(int state) {
   const std::string where = fmt::format("step {} (t = {:.6g})", now.step, now.time);
   const std::string what = state >= flow_failed ? explain_flow_failure() : body_problem;
-  outputs->write_evidence(now, flow, bodies);
-  throw CollectiveError(fmt::format("{}: {}. The last state is in {}", where, what, options.output.string()));
+  std::string evidence = "The last state is in " + options.output.string();
+  try {
+    outputs->write_evidence(now, flow, bodies);
+  } catch (const CollectiveError& error) {
+    evidence = fmt::format("The last state could not be written: {}", error.what());
+  }
+  throw CollectiveError(fmt::format("{}: {}. {}", where, what, evidence));
 }
 
 std::string Simulation::Impl::explain_flow_failure() const {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace pliant {
@@ -15,7 +16,9 @@ double rate_of(Vec3 velocity, Vec3 h) {
 
 }  // namespace
 
-double StepLimits::smallest() const { return std::min({given, convective, acceleration, viscous, maximum, diffusion}); }
+double StepLimits::smallest() const {
+  return std::min({given, convective, acceleration, viscous, maximum, decay, diffusion});
+}
 
 std::string StepLimits::ruling() const {
   const std::pair<double, const char*> all[] = {{given, "the given step (time.step)"},
@@ -23,6 +26,7 @@ std::string StepLimits::ruling() const {
                                                 {acceleration, "acceleration by the forcing (time.cfl)"},
                                                 {viscous, "explicit viscous terms (time.viscous)"},
                                                 {maximum, "the upper bound (time.max_step)"},
+                                                {decay, "viscous decay of the longest wave (time.max_step)"},
                                                 {diffusion, "diffusion over a cell, as nothing moves"}};
   return std::min_element(std::begin(all), std::end(all), [](auto& a, auto& b) { return a.first < b.first; })->second;
 }
@@ -59,11 +63,16 @@ StepLimits step_limits(const CaseConfig& config, const Grid& grid, double rate, 
     limits.acceleration = std::sqrt(time.cfl / surge);
   limits.viscous = viscous_margin * viscous_limit;
   if (time.max_step > 0) limits.maximum = time.max_step;
+  const double nu = config.fluid.viscosity / config.fluid.density;
   if (!std::isfinite(limits.smallest())) {
     const double smallest = std::min({h.x, h.y, h.z});
-    const double nu = config.fluid.viscosity / config.fluid.density;
     limits.diffusion = nu > 0 ? smallest * smallest / nu : time.end / 100;
   }
+  // As a flow dies down convection lets the step grow without bound; implicit viscosity bears that, its accuracy does
+  // not.
+  const Vec3 size = grid.size();
+  const double longest = std::max({size.x, size.y, size.z}) / (2 * std::numbers::pi);
+  if (nu > 0) limits.decay = 0.1 * longest * longest / nu;
   return limits;
 }
 

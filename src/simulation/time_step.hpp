@@ -16,6 +16,7 @@ struct StepLimits {
   double acceleration = no_limit;  ///< the step in which the body force alone would reach the Courant number
   double viscous = no_limit;       ///< of the explicitly treated viscous terms, with a margin
   double maximum = no_limit;       ///< time.max_step
+  double decay = no_limit;         ///< a tenth of the time in which viscosity damps the box's longest wave
   double diffusion = no_limit;     ///< h^2/nu, only where nothing else limits the step
 
   double smallest() const;

@@ -69,7 +69,13 @@ DeformableBody make_body(const BodyConfig& config, const BodySetting& setting) {
   body.reference = surface.positions;
   body.positions = std::move(surface.positions);
   body.mesh = std::move(surface.mesh);
-  if (body.motion == MotionKind::deformable) body.largest_frequency = find_largest_frequency(body);
+  if (body.motion != MotionKind::deformable) return body;
+  body.largest_frequency = find_largest_frequency(body);
+  if (!std::isfinite(body.largest_frequency))
+    throw InputError(fmt::format(
+        "body '{}': its fastest vibration is not a number; lower the stiffnesses of its potentials, or raise "
+        "mass_per_vertex, by many orders of magnitude",
+        body.name));
   return body;
 }
 

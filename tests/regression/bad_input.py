@@ -81,6 +81,13 @@ bad_case("binary garbage", bytes(range(256)) * 8, [r"case\.toml:\d+: not valid T
 bad_case("wrong override", CASE, ["--set fluid.viscosity=-1"], arguments=["--set", "fluid.viscosity=-1"])
 bad_case("sphere outside the box", CASE + BODY.replace('file = "drop.gts"', 'shape = "sphere", radius = 2.5'),
          [r"case\.toml:14: body\.drop .* outside the box"])
+bad_case("probes outside the box",
+         CASE + BODY.replace('{ form = "drag" }', '{ form = "one-sided", probe_length = 4 }'),
+         [r"body\.drop is too close to a side of z.*probe_length"])
+bad_case("more cells than memory", CASE, [r"box\.cells 9000 x 9000 x 9000 needs at least .* GB"], command="run",
+         arguments=["--set", "box.cells=[9000,9000,9000]"])
+bad_case("more cells than memory, 2 ranks", CASE, [r"box\.cells .* needs at least"], command="run", ranks=2,
+         arguments=["--set", "box.cells=[9000,9000,9000]"])
 bad_case("surface file outside the box", CASE + BODY + "", [r"body\.drop .* outside the box"],
          arguments=["--set", "body.drop.center=[0,0,1.5]"])
 bad_case("more ranks than planes", CASE.replace("cells = [8, 8, 8]", "cells = [8, 8, 2]"),

@@ -242,6 +242,18 @@ TEST(Validate, FindsWhatSingleKeysCannotSay) {
   EXPECT_THAT(problems_of(drop_case, {"body.drop.center=[100, 0, 0]"}), IsEmpty());
 }
 
+TEST(Validate, BodiesLeaveTheFlowItsFilesAndFitIntoFileNames) {
+  const std::string body = "[box]\nsize = [4, 4, 4]\n[[body]]\nsurface = { shape = \"sphere\" }\nname = ";
+  EXPECT_THAT(problems_of(body + "\"fields\""), ElementsAre(HasSubstr("body.fields.name is the name of the flow's")));
+  EXPECT_THAT(problems_of(body + "\"" + std::string(101, 'a') + "\""), ElementsAre(HasSubstr("use at most 100")));
+  EXPECT_THAT(problems_of(body + "\"" + std::string(100, 'a') + "\""), IsEmpty());
+}
+
+TEST(ReadCase, RefusesGridsThatNobodyCanHave) {
+  EXPECT_THAT(problems_of("box.cells = [1000000000, 8, 8]"), ElementsAre(HasSubstr("<= 100000")));
+  EXPECT_THAT(problems_of("box.stretching.z = { law = \"tanh\", strength = 40 }"), ElementsAre(HasSubstr("<= 10")));
+}
+
 TEST(Validate, BodiesHaveTheirOwnNames) {
   const std::string body = "[[body]]\nname = \"a\"\nsurface = { shape = \"sphere\", radius = 0.1 }\n";
   EXPECT_THAT(problems_of(body + body), ElementsAre(HasSubstr("more than one body")));

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "simulation/progress.hpp"
 #include "simulation/schedule.hpp"
@@ -37,9 +38,17 @@ TEST(StepLimits, FollowTheForceFromRest) {
   config.boundary[5] = WallSide{};
   config.forcing.acceleration = {8, 0, 0};
   // a dt^2 / h = cfl
-  EXPECT_NEAR(limits_of(config, 0).smallest(), std::sqrt(0.5 * 0.1 / 8), 1e-15);
+  EXPECT_NEAR(limits_of(config, 0).acceleration, std::sqrt(0.5 * 0.1 / 8), 1e-15);
   // Once the flow moves the force does not count any more.
-  EXPECT_NEAR(limits_of(config, 1).smallest(), 0.5, 1e-15);
+  EXPECT_EQ(limits_of(config, 1).acceleration, no_limit);
+  EXPECT_NEAR(limits_of(config, 1).convective, 0.5, 1e-15);
+}
+
+TEST(StepLimits, FollowTheDecayAsAFlowDiesDown) {
+  auto config = channel();
+  config.boundary[5] = WallSide{};
+  const double wave_number = std::numbers::pi;  // of the longest wave, 2 pi / 2
+  EXPECT_NEAR(limits_of(config, 1e-9).smallest(), 0.1 / (0.5 * wave_number * wave_number), 1e-15);
 }
 
 TEST(StepLimits, NameTheOneThatRules) {

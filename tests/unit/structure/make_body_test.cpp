@@ -53,6 +53,12 @@ TEST(MakeBody, MakesThePotentialsOfTheConfiguration) {
   EXPECT_GT(body.largest_frequency, 0);
 }
 
+TEST(MakeBody, RefusesStiffnessesBeyondNumbers) {
+  auto config = drop();
+  config.potentials.edge = EdgeConfig{1e308, 0.0};
+  EXPECT_THROW(make_body(config, {}), InputError);
+}
+
 TEST(MakeBody, ProbesAreOneSpacingLongUnlessGiven) {
   auto config = drop();
   EXPECT_EQ(make_body(config, {{}, 0.125}).traction.probe_length, 0.125);
