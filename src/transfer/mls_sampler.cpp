@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/error.hpp"
-#include "transfer/mls_kernels.hpp"
+#include "transfer/interpolate.hpp"
 
 namespace pliant {
 namespace {
@@ -42,22 +42,17 @@ void MlsSampler::sample(std::span<const Vec3> points, std::span<FlowSample> samp
       if (!center[l]) stencils.first[z_center][l] = -1;
       if (!face[l]) stencils.first[z_face][l] = -1;
     }
-    double values[4][mls_batch], gradients[3][3][mls_batch];
-    mls::interpolate(fields_.u->view(), stencils, pending.count, values[0]);
-    mls::interpolate(fields_.v->view(), stencils, pending.count, values[1]);
-    mls::interpolate(fields_.w->view(), stencils, pending.count, values[2]);
-    mls::interpolate(fields_.p->view(), stencils, pending.count, values[3]);
-    mls::gradient(fields_.u->view(), stencils, slopes, pending.count, gradients[0]);
-    mls::gradient(fields_.v->view(), stencils, slopes, pending.count, gradients[1]);
-    mls::gradient(fields_.w->view(), stencils, slopes, pending.count, gradients[2]);
+    ProbeBatch found;
+    probe_all({fields_.u->view(), fields_.v->view(), fields_.w->view(), fields_.p->view()}, stencils, slopes,
+              pending.count, found);
     for (int l = 0; l < pending.count; ++l) {
       double* out = numbers.data() + n_numbers * pending.indices[static_cast<std::size_t>(l)];
       for (int c = 0; c < 3; ++c) {
         if (!(c == 2 ? face[l] : center[l])) continue;
-        out[c] = values[c][l];
-        for (int d = 0; d < 3; ++d) out[3 + 3 * c + d] = gradients[c][d][l];
+        out[c] = found.velocity[c][l];
+        for (int d = 0; d < 3; ++d) out[3 + 3 * c + d] = found.gradient[c][d][l];
       }
-      if (center[l]) out[12] = density_ * values[3][l];
+      if (center[l]) out[12] = density_ * found.pressure[l];
     }
     pending.count = 0;
   };
