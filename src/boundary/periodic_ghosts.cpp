@@ -34,8 +34,8 @@ void accumulate_periodic_ghosts(View<Location> f, const Grid& grid, int k, const
     }
 }
 
-#define PLIANT_INSTANTIATE(L)                                          \
-  template void fill_periodic_ghosts<L>(View<L>, const Grid&, int);    \
+#define PLIANT_INSTANTIATE(L)                                       \
+  template void fill_periodic_ghosts<L>(View<L>, const Grid&, int); \
   template void accumulate_periodic_ghosts<L>(View<L>, const Grid&, int, const PlaneRegion&);
 PLIANT_INSTANTIATE(Center)
 PLIANT_INSTANTIATE(FaceX)

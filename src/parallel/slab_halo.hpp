@@ -26,8 +26,8 @@ class SlabHalo {
 
   /// Owner to ghost, for all stacks at once. Collective. Ghost planes outside a bounded box are left as they are.
   void fill(std::initializer_list<PlaneStack> stacks, GhostPlanes which = GhostPlanes::both) const;
-  /// Ghost to owner: adds what stands in the ghost planes to the planes they are copies of, first that of the rank below,
-  /// then that of the rank above. Collective. The ghost planes keep what they hold.
+  /// Ghost to owner: adds what stands in the ghost planes to the planes they are copies of, first that of the rank
+  /// below, then that of the rank above. Collective. The ghost planes keep what they hold.
   void accumulate(std::initializer_list<PlaneStack> stacks);
 
  private:

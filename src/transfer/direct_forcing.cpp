@@ -32,7 +32,8 @@ void DirectForcing::place(std::span<const Vec3> positions, std::span<const doubl
 void DirectForcing::set_velocities(std::span<const Vec3> velocities) {
   const auto indices = markers_.indices();
   for (int c = 0; c < 3; ++c)
-    for (std::size_t m = 0; m < indices.size(); ++m) wanted_[c][m] = velocities[static_cast<std::size_t>(indices[m])][c];
+    for (std::size_t m = 0; m < indices.size(); ++m)
+      wanted_[c][m] = velocities[static_cast<std::size_t>(indices[m])][c];
 }
 
 void DirectForcing::apply(const Substep& substep, double dt, View<FaceX> u, View<FaceY> v, View<FaceZ> w) {

@@ -16,8 +16,8 @@ class DirectForcing {
   /// `density` of the fluid; iterations >= 1. Throws InputError if the box is too small for markers.
   DirectForcing(const Grid& grid, double density, int iterations = 1);
 
-  /// Markers from now on: positions, areas and wanted velocities of all that may touch this rank. Fixed bodies need this
-  /// once a run. Throws RunError if a marker is outside the box. Sets the forces to zero.
+  /// Markers from now on: positions, areas and wanted velocities of all that may touch this rank. Fixed bodies need
+  /// this once a run. Throws RunError if a marker is outside the box. Sets the forces to zero.
   void place(std::span<const Vec3> positions, std::span<const double> areas, std::span<const Vec3> velocities);
   /// New wanted velocities of the same markers, in the caller's order.
   void set_velocities(std::span<const Vec3> velocities);

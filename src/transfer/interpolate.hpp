@@ -24,8 +24,8 @@ struct ProbeBatch {
   double gradient[3][3][mls_batch];  ///< [i][j] = d u_i / d x_j
 };
 
-/// Pressure and gradients at the first `count` points of a batch; all nodes must be this rank's or its ghosts. Leaves the
-/// velocity alone.
+/// Pressure and gradients at the first `count` points of a batch; all nodes must be this rank's or its ghosts. Leaves
+/// the velocity alone.
 void probe(const ProbedFields& fields, const StencilBatch& stencils, const SlopeBatch& slopes, int count,
            ProbeBatch& result);
 /// The velocity as well.

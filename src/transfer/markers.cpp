@@ -18,9 +18,10 @@ Markers::Markers(const Grid& grid, double alpha) : shape_(grid, alpha) {
   for (int d = 0; d < 3; ++d) {
     const int n = grid.cells()[static_cast<std::size_t>(d)];
     if (!grid.is_periodic(d) && n < 3)
-      problems.push_back(fmt::format("box.cells: {} cells along {} between bounded sides are too few for markers: use at "
-                                     "least 3, or periodic sides",
-                                     n, "xyz"[d]));
+      problems.push_back(
+          fmt::format("box.cells: {} cells along {} between bounded sides are too few for markers: use at "
+                      "least 3, or periodic sides",
+                      n, "xyz"[d]));
     blocks_[static_cast<std::size_t>(d)] = ((d == 2 ? grid.nz() : n) + block - 1) / block;
   }
   if (!problems.empty()) throw InputError(problems);
@@ -62,7 +63,8 @@ void Markers::sort_by_blocks() {
   const std::size_t n = positions_.size();
   block_of_marker_.resize(n);
   block_begin_.assign(static_cast<std::size_t>(blocks_[0]) * static_cast<std::size_t>(blocks_[1]) *
-                              static_cast<std::size_t>(blocks_[2]) + 1,
+                              static_cast<std::size_t>(blocks_[2]) +
+                          1,
                       0);
   for (std::size_t m = 0; m < n; ++m) {
     block_of_marker_[m] = block_of(positions_[m]);

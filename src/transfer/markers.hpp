@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <span>
 #include <vector>
@@ -7,7 +8,8 @@
 
 namespace pliant {
 
-/// A vector at every marker of a rank, one array a component, in the markers' working order and padded to whole batches.
+/// A vector at every marker of a rank, one array a component, in the markers' working order and padded to whole
+/// batches.
 struct MarkerVectors {
   std::array<std::vector<double>, 3> components;
   std::vector<double>& operator[](int c) { return components[static_cast<std::size_t>(c)]; }
@@ -25,10 +27,11 @@ struct BatchRange {
 
 /// The markers at or near this rank's slab with their stencils: points at which bodies and flow feel each other.
 ///
-/// Markers stand in working order: by blocks of 4 x 4 x 4 cells, within a block in the caller's order, so that neighbours
-/// are near each other in memory; the order depends on positions and slab alone. A rank works on the u and v parts of a
-/// marker whose middle plane of cell centres it holds, and on the w part if it holds the middle plane of faces: every part
-/// has exactly one rank, and its nodes are that rank's or its ghosts. On all other ranks a part weighs nothing.
+/// Markers stand in working order: by blocks of 4 x 4 x 4 cells, within a block in the caller's order, so that
+/// neighbours are near each other in memory; the order depends on positions and slab alone. A rank works on the u and v
+/// parts of a marker whose middle plane of cell centres it holds, and on the w part if it holds the middle plane of
+/// faces: every part has exactly one rank, and its nodes are that rank's or its ghosts. On all other ranks a part
+/// weighs nothing.
 class Markers {
  public:
   /// Throws InputError if a bounded direction has fewer than three cells.

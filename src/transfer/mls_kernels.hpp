@@ -26,8 +26,8 @@ struct SupportLines<FaceZ> {
 
 namespace mls {
 
-// A row of the support is read and written as four numbers, the last with weight zero: padding of the field's rows keeps
-// it in memory.
+// A row of the support is read and written as four numbers, the last with weight zero: padding of the field's rows
+// keeps it in memory.
 using Row [[gnu::vector_size(4 * sizeof(double))]] = double;
 
 // Factors of the rows (c in z, b in y) of a support: a node's phi is v_a * with_value + w_a * with_weight.
@@ -72,8 +72,7 @@ inline void interpolate(ConstView<Location> f, const StencilBatch& s, int count,
         with_weight += factors.with_weight[c][b][l] * row;
       }
     double sum = 0;
-    for (int a = 0; a < 3; ++a)
-      sum += s.value[line][a][l] * with_value[a] + s.weight[line][a][l] * with_weight[a];
+    for (int a = 0; a < 3; ++a) sum += s.value[line][a][l] * with_value[a] + s.weight[line][a][l] * with_weight[a];
     values[l] = sum;
   }
 }

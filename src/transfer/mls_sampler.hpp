@@ -16,8 +16,8 @@ struct SampledFields {
 /// The flow between the nodes, from the solver's fields: moving least squares over the 27 nodes of each component's own
 /// staggered grid that are nearest to the point (MlsShape), on uniform and stretched grids alike.
 ///
-/// Linear fields come out exact; in general the value is second and the gradient first order in the spacing. The pressure
-/// that comes out is physical: density times the solver's.
+/// Linear fields come out exact; in general the value is second and the gradient first order in the spacing. The
+/// pressure that comes out is physical: density times the solver's.
 ///
 /// In z each rank evaluates the points whose middle plane it holds, and a sum over the ranks, exact because all other
 /// terms are zero, gives every rank the same samples, whatever the number of ranks. Points are brought back into the

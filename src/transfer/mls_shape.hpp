@@ -34,15 +34,15 @@ struct alignas(64) SlopeBatch {
   StencilNumbers slope[n_stencil_lines];  ///< 1 / length
 };
 
-/// One-dimensional stencils from the offsets (node minus point, ascending) of any three nodes, for a batch. The half-width
-/// of the support is 1.5 local spacings, or the distance to the farthest node if that is more.
+/// One-dimensional stencils from the offsets (node minus point, ascending) of any three nodes, for a batch. The
+/// half-width of the support is 1.5 local spacings, or the distance to the farthest node if that is more.
 void mls_stencils(const StencilNumbers& offsets, double alpha, StencilNumbers& weight, StencilNumbers& value,
                   StencilNumbers& slope);
 
-/// Moving least squares on the staggered grid with a linear basis and a product of one-dimensional Gaussian weights over
-/// the 3 x 3 x 3 nodes nearest to a point, in closed form: the moment matrix is a product of one-dimensional moments, so
-/// that no system is solved (numerics: section "Transfer"). Linear fields are reproduced to round-off, in value and
-/// gradient.
+/// Moving least squares on the staggered grid with a linear basis and a product of one-dimensional Gaussian weights
+/// over the 3 x 3 x 3 nodes nearest to a point, in closed form: the moment matrix is a product of one-dimensional
+/// moments, so that no system is solved (numerics: section "Transfer"). Linear fields are reproduced to round-off, in
+/// value and gradient.
 ///
 /// At bounded sides the three nodes are shifted inwards: no ghost beyond the side is read or written, only faces on the
 /// side itself. (A bounded direction of one or two cells has too few nodes for that; there the ghosts serve.)
@@ -61,8 +61,8 @@ class MlsShape {
   /// Stencils of at most mls_batch points, all in the box and near; lanes beyond the last point repeat the first.
   void evaluate(std::span<const Vec3> points, StencilBatch& stencils, SlopeBatch& slopes) const;
 
-  /// Does this rank hold the middle plane of a stencil along z (z_center or z_face)? Then the other two planes are its own
-  /// or its ghosts. Every point in the box has exactly one such rank for either line.
+  /// Does this rank hold the middle plane of a stencil along z (z_center or z_face)? Then the other two planes are its
+  /// own or its ghosts. Every point in the box has exactly one such rank for either line.
   bool is_held(const StencilBatch& stencils, StencilLine line, int lane) const {
     const int middle = stencils.first[line][lane] + 1;
     return middle >= 0 && middle < grid_.nz();

@@ -4,7 +4,8 @@
 #include "boundary/periodic_ghosts.hpp"
 #include "unit/transfer/transfer_fixture.hpp"
 
-// Ghosts brought home: with ones in all nodes and ghosts, a node ends with one for itself and one for each of its copies.
+// Ghosts brought home: with ones in all nodes and ghosts, a node ends with one for itself and one for each of its
+// copies.
 namespace pliant::test {
 namespace {
 
@@ -28,8 +29,7 @@ void check(const Grid& grid) {
   for (int k = -1; k <= grid.nz(); ++k)
     for (int j = -1; j <= grid.ny(); ++j)
       for (int i = -1; i <= grid.nx(); ++i) f(i, j, k) = 1;
-  for (int k = -1; k <= grid.nz(); ++k)
-    accumulate_periodic_ghosts(f, grid, k, {-1, grid.nx() + 1, -1, grid.ny() + 1});
+  for (int k = -1; k <= grid.nz(); ++k) accumulate_periodic_ghosts(f, grid, k, {-1, grid.nx() + 1, -1, grid.ny() + 1});
   SlabHalo halo(grid.ranks(), grid.is_periodic(2) ? SlabHalo::Ends::periodic : SlabHalo::Ends::bounded, grid.nz());
   halo.accumulate({plane_stack(field)});
   for (int k = 0; k < grid.nz(); ++k)
@@ -67,7 +67,9 @@ TEST(Accumulate, IsTheTransposeOfFilling) {
   box.cells = {5, 4, 8};
   const Grid grid(box, BoundaryConfig{}, Communicator());
   Field<FaceY> a(grid), b(grid);
-  const auto value = [&](int i, int j, int k, int salt) { return std::sin(1.3 * i + 2.7 * j * j + 0.9 * k * salt + salt); };
+  const auto value = [&](int i, int j, int k, int salt) {
+    return std::sin(1.3 * i + 2.7 * j * j + 0.9 * k * salt + salt);
+  };
   for (int k = -1; k <= grid.nz(); ++k)
     for (int j = -1; j <= grid.ny(); ++j)
       for (int i = -1; i <= grid.nx(); ++i) {

@@ -150,7 +150,10 @@ Balance balance(const Grid& grid, std::span<const Vec3> points) {
   fields.gather();
   for_each_node(grid, 0, [&](int c, int i, int j, int k, Vec3 x) {
     Vec3 f;
-    f[c] = (c == 0 ? fields.x()(i, j, k) : c == 1 ? fields.y()(i, j, k) : fields.z()(i, j, k)) * node_volume(grid, c, k);
+    f[c] = (c == 0   ? fields.x()(i, j, k)
+            : c == 1 ? fields.y()(i, j, k)
+                     : fields.z()(i, j, k)) *
+           node_volume(grid, c, k);
     const Vec3 torque = cross(x, f);
     for (int d = 0; d < 3; ++d) sums[6 + d] += f[d], sums[9 + d] += torque[d];
   });
@@ -201,7 +204,9 @@ struct Sphere {
   }
 };
 
-double oncoming(int component, Vec3 x) { return component == 0 ? 1 + 0.1 * std::sin(2 * M_PI / 3 * x.z) : 0.2 * component; }
+double oncoming(int component, Vec3 x) {
+  return component == 0 ? 1 + 0.1 * std::sin(2 * M_PI / 3 * x.z) : 0.2 * component;
+}
 
 struct Forced {
   double slip = 0;
@@ -264,7 +269,8 @@ BoxConfig forcing_box(StretchingLaw law) {
 
 TEST(DirectForcing, SlipFallsWithIterationsAndMomentumIsGivenByTheMarkers) {
   const Grid grid(forcing_box(StretchingLaw::uniform), BoundaryConfig{}, Communicator());
-  for (const Vec3 center : {Vec3{0.01, 1.23, -0.52}, Vec3{0.99, 0.52, -1.97}}) {  // inside, and across all periodic sides
+  for (const Vec3 center :
+       {Vec3{0.01, 1.23, -0.52}, Vec3{0.99, 0.52, -1.97}}) {  // inside, and across all periodic sides
     double last = 1;
     for (int iterations : {1, 2, 4, 8}) {
       const auto result = force_sphere(grid, iterations, center);
@@ -296,7 +302,7 @@ TEST(DirectForcing, HoldsAFixedSphereInTheFlow) {
     const auto hook = [&](const Substep& s, double step, View<FaceX> u, View<FaceY> v, View<FaceZ> w) {
       forcing.apply(s, step, u, v, w);
     };
-    for (int n = 0; n < 5; ++n) {
+    for (int n = 0; n < 30; ++n) {
       const Vec3 before = solver.bulk_velocity();
       solver.advance(dt, hook);
       std::vector<Vec3> forces(sphere.points.size());
@@ -310,8 +316,8 @@ TEST(DirectForcing, HoldsAFixedSphereInTheFlow) {
     }
     const auto& flow = solver.state();
     const double slip = forcing.rms_slip(flow.u.view(), flow.v.view(), flow.w.view());
-    EXPECT_LT(slip, 0.9 * last) << iterations << " iterations";
-    EXPECT_LT(slip, 0.2);
+    EXPECT_LT(slip, 0.8 * last) << iterations << " iterations";
+    EXPECT_LT(slip, 0.03) << "of the speed far away, once the impulse of the start is over";
     last = slip;
   }
 }

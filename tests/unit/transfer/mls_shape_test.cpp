@@ -39,13 +39,13 @@ TEST(MlsStencils, AgreeWithTheGenericFourByFourSolve) {
       for (int n = 0; n < 27; ++n) {
         const int a = n % 3, b = n / 3 % 3, c = n / 9;
         const double wx = weight[0][a][l], wy = weight[1][b][l], wz = weight[2][c][l];
-        const double phi = value[0][a][l] * wy * wz + wx * value[1][b][l] * wz + wx * wy * value[2][c][l] -
-                           2 * wx * wy * wz;
+        const double phi =
+            value[0][a][l] * wy * wz + wx * value[1][b][l] * wz + wx * wy * value[2][c][l] - 2 * wx * wy * wz;
         const double g[3] = {slope[0][a][l] * wy * wz, wx * slope[1][b][l] * wz, wx * wy * slope[2][c][l]};
         value_error = std::max(value_error, std::abs(phi - reference.value[static_cast<std::size_t>(n)]));
         for (std::size_t d = 0; d < 3; ++d)
-          gradient_error = std::max(
-              gradient_error, reach[d] * std::abs(g[d] - reference.gradient[d][static_cast<std::size_t>(n)]));
+          gradient_error =
+              std::max(gradient_error, reach[d] * std::abs(g[d] - reference.gradient[d][static_cast<std::size_t>(n)]));
       }
     }
   }

@@ -8,9 +8,7 @@
 
 namespace pliant::test {
 
-inline BoundaryConfig walls() {
-  return {WallSide{}, WallSide{}, WallSide{}, WallSide{}, WallSide{}, WallSide{}};
-}
+inline BoundaryConfig walls() { return {WallSide{}, WallSide{}, WallSide{}, WallSide{}, WallSide{}, WallSide{}}; }
 
 inline BoxConfig box_of(int n, StretchingLaw law, double strength = 1.5) {
   BoxConfig config;
