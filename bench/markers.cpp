@@ -127,27 +127,18 @@ void step_of_markers_alone(benchmark::State& state) {
   const MlsShape shape(box.grid);
   Markers markers(box.grid);
   markers.place(box.points, box.areas);
-  const auto points = in_working_order(markers, box.points), ends = in_working_order(markers, box.ends);
+  const auto ends = in_working_order(markers, box.ends);
   ForceFields forces(box.grid);
   forces.reach(markers);
   MarkerVectors found;
   found.assign(markers.padded_size());
   double sum = 0;
   for (auto _ : state) {
-    StencilBatch stencils;
-    SlopeBatch slopes;
-    for (int b = 0; b < markers.n_batches(); ++b) {
-      shape.evaluate(std::span(points).subspan(static_cast<std::size_t>(b) * mls_batch,
-                                               static_cast<std::size_t>(markers.count(b))),
-                     stencils, slopes);
-      benchmark::DoNotOptimize(stencils);
-    }
     for (int l = 0; l < 3; ++l)
-      for (int b = 0; b < markers.n_batches(); b += 8) {
-        const BatchRange range{b, std::min(b + 8, markers.n_batches())};
-        interpolate(markers, range, box.u.view(), box.v.view(), box.w.view(), found);
-        spread(markers, range, found, forces);
-      }
+      markers.for_each_block([&](const StencilBlock& block) {
+        interpolate(markers, block, box.u.view(), box.v.view(), box.w.view(), found);
+        spread(markers, block, found, forces);
+      });
     probe_all_markers(box, shape, ends, sum);
     benchmark::DoNotOptimize(sum);
   }
@@ -258,7 +249,7 @@ void interpolation(benchmark::State& state) {
   markers.place(box.points, box.areas);
   MarkerVectors found;
   found.assign(markers.padded_size());
-  for (auto _ : state) interpolate(markers, markers.all_batches(), box.u.view(), box.v.view(), box.w.view(), found);
+  for (auto _ : state) interpolate(markers, box.u.view(), box.v.view(), box.w.view(), found);
   count_markers(state);
 }
 
@@ -270,7 +261,7 @@ void spreading(benchmark::State& state) {
   forces.reach(markers);
   MarkerVectors found;
   found.assign(markers.padded_size());
-  for (auto _ : state) spread(markers, markers.all_batches(), found, forces);
+  for (auto _ : state) spread(markers, found, forces);
   count_markers(state);
 }
 
@@ -290,6 +281,10 @@ void sizes(benchmark::internal::Benchmark* b) {
   b->ArgNames({"n", "stretched", "markers"})->Unit(benchmark::kMillisecond);
   for (int n : {128, 256}) b->Args({n, static_cast<int>(StretchingLaw::uniform), 100000});
   b->Args({128, static_cast<int>(StretchingLaw::tanh), 100000});
+  b->Args({32, static_cast<int>(StretchingLaw::uniform), 800});  // all of it in cache
+  b->Args({32, 0, 100000});
+  b->Args({128, 0, 20000});
+  b->Args({64, 0, 100000});
 }
 
 void uniform_sizes(benchmark::internal::Benchmark* b) {

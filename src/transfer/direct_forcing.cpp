@@ -1,19 +1,11 @@
 #include "transfer/direct_forcing.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "boundary/fill_ghosts.hpp"
 #include "transfer/spread.hpp"
 
 namespace pliant {
-namespace {
-
-// Batches that are interpolated and spread together, while their stencils are in cache.
-constexpr int batches_at_once = 8;
-
-}  // namespace
-
 DirectForcing::DirectForcing(const Grid& grid, double density, int iterations)
     : markers_(grid),
       fields_(grid),
@@ -46,20 +38,20 @@ void DirectForcing::apply(const Substep& substep, double dt, View<FaceX> u, View
 
 void DirectForcing::force_once(double weight, double dt_alpha, View<FaceX> u, View<FaceY> v, View<FaceZ> w) {
   fields_.clear();
-  for (int begin = 0; begin < markers_.n_batches(); begin += batches_at_once) {
-    const BatchRange range{begin, std::min(begin + batches_at_once, markers_.n_batches())};
-    interpolate(markers_, range, u, v, w, found_);
+  const double factor = 1 / dt_alpha;
+  markers_.for_each_block([&](const StencilBlock& block) {
+    interpolate(markers_, block, u, v, w, found_);
+    const std::size_t begin = static_cast<std::size_t>(block.first_batch) * mls_batch;
+    const std::size_t end = begin + static_cast<std::size_t>(block.n_batches) * mls_batch;
     for (int c = 0; c < 3; ++c) {
       const auto volume = markers_.volume(c);
-      const double factor = 1 / dt_alpha;
-      const std::size_t last = static_cast<std::size_t>(range.end) * mls_batch;
-      for (std::size_t m = static_cast<std::size_t>(range.begin) * mls_batch; m < last; ++m) {
+      for (std::size_t m = begin; m < end; ++m) {
         found_[c][m] = factor * (wanted_[c][m] - found_[c][m]);
         impulse_[c][m] += weight * volume[m] * found_[c][m];
       }
     }
-    spread(markers_, range, found_, fields_);
-  }
+    spread(markers_, block, found_, fields_);
+  });
   fields_.gather();
   fields_.add_to(dt_alpha, u, v, w);
 }
@@ -82,7 +74,7 @@ void DirectForcing::add_forces(std::span<Vec3> forces) const {
 }
 
 double DirectForcing::rms_slip(ConstView<FaceX> u, ConstView<FaceY> v, ConstView<FaceZ> w) {
-  interpolate(markers_, markers_.all_batches(), u, v, w, found_);
+  interpolate(markers_, u, v, w, found_);
   double numbers[2] = {0, 0};  // sum of squares, markers
   for (int c = 0; c < 3; ++c) {
     const auto share = markers_.share(c);

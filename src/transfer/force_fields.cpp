@@ -36,20 +36,23 @@ ForceFields::ForceFields(const Grid& grid)
 void ForceFields::reach(const Markers& markers) {
   clear();
   std::fill(regions_.begin(), regions_.end(), PlaneRegion{grid_.nx() + 1, -1, grid_.ny() + 1, -1});
-  for (int b = 0; b < markers.n_batches(); ++b) {
-    const auto& first = markers.stencils(b).first;
-    for (int l = 0; l < markers.count(b); ++l) {
-      const auto [i, i_last] = std::minmax(first[x_center][l], first[x_face][l]);
-      const auto [j, j_last] = std::minmax(first[y_center][l], first[y_face][l]);
-      for (const StencilLine line : {z_center, z_face})
-        for (int k = first[line][l]; k < first[line][l] + 3; ++k) {
-          auto& r = region(k);
-          r.i_begin = std::min(r.i_begin, i), r.i_end = std::max(r.i_end, i_last + 3);
-          r.j_begin = std::min(r.j_begin, j), r.j_end = std::max(r.j_end, j_last + 3);
-        }
-    }
-  }
+  markers.for_each_block([&](const StencilBlock& block) {
+    for (int b = 0; b < block.n_batches; ++b)
+      for (int l = 0; l < markers.count(block.first_batch + b); ++l)
+        reach(block.stencils[static_cast<std::size_t>(b)].first, l);
+  });
   widen();
+}
+
+void ForceFields::reach(const int (&first)[n_stencil_lines][mls_batch], int l) {
+  const auto [i, i_last] = std::minmax(first[x_center][l], first[x_face][l]);
+  const auto [j, j_last] = std::minmax(first[y_center][l], first[y_face][l]);
+  for (const StencilLine line : {z_center, z_face})
+    for (int k = first[line][l]; k < first[line][l] + 3; ++k) {
+      auto& r = region(k);
+      r.i_begin = std::min(r.i_begin, i), r.i_end = std::max(r.i_end, i_last + 3);
+      r.j_begin = std::min(r.j_begin, j), r.j_end = std::max(r.j_end, j_last + 3);
+    }
 }
 
 // What is in a periodic ghost goes to the other side of the box, and other ranks may send to any node of the planes at

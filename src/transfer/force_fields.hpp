@@ -30,6 +30,7 @@ class ForceFields {
  private:
   PlaneRegion& region(int k) { return regions_[static_cast<std::size_t>(k + 1)]; }
   const PlaneRegion& region(int k) const { return regions_[static_cast<std::size_t>(k + 1)]; }
+  void reach(const int (&first)[n_stencil_lines][mls_batch], int lane);
   void widen();
 
   Grid grid_;

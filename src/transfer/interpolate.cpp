@@ -4,16 +4,21 @@
 
 namespace pliant {
 
-void interpolate(const Markers& markers, BatchRange batches, ConstView<FaceX> u, ConstView<FaceY> v, ConstView<FaceZ> w,
-                 MarkerVectors& velocities) {
-  for (int b = batches.begin; b < batches.end; ++b) {
-    const auto& stencils = markers.stencils(b);
-    const int count = markers.count(b);
-    const std::ptrdiff_t at = b * mls_batch;
+void interpolate(const Markers& markers, const StencilBlock& block, ConstView<FaceX> u, ConstView<FaceY> v,
+                 ConstView<FaceZ> w, MarkerVectors& velocities) {
+  for (int b = 0; b < block.n_batches; ++b) {
+    const auto& stencils = block.stencils[static_cast<std::size_t>(b)];
+    const int batch = block.first_batch + b, count = markers.count(batch);
+    const std::ptrdiff_t at = batch * mls_batch;
     mls::interpolate(u, stencils, count, velocities[0].data() + at);
     mls::interpolate(v, stencils, count, velocities[1].data() + at);
     mls::interpolate(w, stencils, count, velocities[2].data() + at);
   }
+}
+
+void interpolate(const Markers& markers, ConstView<FaceX> u, ConstView<FaceY> v, ConstView<FaceZ> w,
+                 MarkerVectors& velocities) {
+  markers.for_each_block([&](const StencilBlock& block) { interpolate(markers, block, u, v, w, velocities); });
 }
 
 void probe(const ProbedFields& fields, const StencilBatch& stencils, const SlopeBatch& slopes, int count,

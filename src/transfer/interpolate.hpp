@@ -4,9 +4,12 @@
 
 namespace pliant {
 
-/// U_l = sum_k phi_k u_k for the three components of a velocity, ghosts filled, at the markers of some batches. A
-/// component that another rank works on comes out as 0. `velocities` must have the markers' padded size.
-void interpolate(const Markers& markers, BatchRange batches, ConstView<FaceX> u, ConstView<FaceY> v, ConstView<FaceZ> w,
+/// U_l = sum_k phi_k u_k for the three components of a velocity, ghosts filled, at the markers of a block. A component
+/// that another rank works on comes out as 0. `velocities` must have the markers' padded size.
+void interpolate(const Markers& markers, const StencilBlock& block, ConstView<FaceX> u, ConstView<FaceY> v,
+                 ConstView<FaceZ> w, MarkerVectors& velocities);
+/// The same at all markers.
+void interpolate(const Markers& markers, ConstView<FaceX> u, ConstView<FaceY> v, ConstView<FaceZ> w,
                  MarkerVectors& velocities);
 
 /// What a probe reads.

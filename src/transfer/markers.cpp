@@ -41,11 +41,16 @@ void Markers::place(std::span<const Vec3> positions, std::span<const double> are
   }
   sort_by_blocks();
 
-  const std::size_t batches = (positions_.size() + mls_batch - 1) / mls_batch;
-  stencils_.resize(batches);
   for (auto& part : parts_)
-    for (auto* numbers : {&part.share, &part.volume, &part.spreading}) numbers->assign(batches * mls_batch, 0.0);
-  for (std::size_t b = 0; b < batches; ++b) finish_batch(b, areas);
+    for (auto* numbers : {&part.share, &part.volume, &part.spreading}) numbers->assign(padded_size(), 0.0);
+  for (int b = 0; b < n_batches(); ++b) {
+    const StencilBatch stencils = raw_stencils(b);
+    for (int l = 0; l < count(b); ++l) {
+      const std::size_t m = static_cast<std::size_t>(b) * mls_batch + static_cast<std::size_t>(l);
+      for (const StencilLine line : {z_center, z_face})
+        if (shape_.is_held(stencils, line, l)) weigh(line, stencils, m, areas[static_cast<std::size_t>(indices_[m])]);
+    }
+  }
 }
 
 int Markers::block_of(Vec3 x) const {
@@ -82,36 +87,45 @@ void Markers::sort_by_blocks() {
   indices_.swap(sorted_indices_);
 }
 
-void Markers::finish_batch(std::size_t batch, std::span<const double> areas) {
-  const int n = count(static_cast<int>(batch));
-  const std::size_t begin = batch * mls_batch;
+StencilBatch Markers::raw_stencils(int batch) const {
+  StencilBatch stencils;
   SlopeBatch slopes;
-  shape_.evaluate(std::span(positions_).subspan(begin, static_cast<std::size_t>(n)), stencils_[batch], slopes);
-  for (int l = 0; l < mls_batch; ++l) {
-    const double area = l < n ? areas[static_cast<std::size_t>(indices_[begin + static_cast<std::size_t>(l)])] : 0.0;
-    for (const StencilLine line : {z_center, z_face}) finish_lane(line, batch, l, l < n ? area : -1);
+  shape_.evaluate(std::span(positions_)
+                      .subspan(static_cast<std::size_t>(batch) * mls_batch, static_cast<std::size_t>(count(batch))),
+                  stencils, slopes);
+  return stencils;
+}
+
+void Markers::evaluate(int first_batch, StencilBlock& block) const {
+  block.first_batch = first_batch;
+  block.n_batches = std::min(StencilBlock::most, n_batches() - first_batch);
+  for (int b = 0; b < block.n_batches; ++b) {
+    auto& stencils = block.stencils[static_cast<std::size_t>(b)];
+    stencils = raw_stencils(first_batch + b);
+    const std::size_t begin = static_cast<std::size_t>(first_batch + b) * mls_batch;
+    for (std::size_t l = 0; l < mls_batch; ++l) {
+      if (parts_[0].share[begin + l] == 0) leave_to_others(z_center, l, stencils);
+      if (parts_[1].share[begin + l] == 0) leave_to_others(z_face, l, stencils);
+    }
   }
 }
 
-// What this rank does with one part of a marker; area -1: there is no marker.
-void Markers::finish_lane(StencilLine line, std::size_t batch, int l, double area) {
-  auto& s = stencils_[batch];
-  const auto& grid = shape_.grid();
-  if (area < 0 || !shape_.is_held(s, line, l)) {
-    // Adds and finds nothing, at a place that is surely there.
-    for (int c = 0; c < 3; ++c) s.weight[line][c][l] = s.value[line][c][l] = 0;
-    s.first[line][l] = std::clamp(s.first[line][l], -1, grid.nz() - 2);
-    return;
-  }
-  const auto dz = line == z_face ? grid.dz_f() : grid.dz_c();
-  // The other directions are uniform and their values sum to 1: sum phi dz needs one line only.
+// Adds and finds nothing, at a place that is surely there.
+void Markers::leave_to_others(StencilLine line, std::size_t lane, StencilBatch& s) const {
+  for (int c = 0; c < 3; ++c) s.weight[line][c][lane] = s.value[line][c][lane] = 0;
+  s.first[line][lane] = std::clamp(s.first[line][lane], -1, grid().nz() - 2);
+}
+
+// The directions x and y are uniform and their values sum to 1, so that sum phi dz needs the line along z only.
+void Markers::weigh(StencilLine line, const StencilBatch& s, std::size_t marker, double area) {
+  const std::size_t lane = marker % mls_batch;
+  const auto dz = line == z_face ? grid().dz_f() : grid().dz_c();
   double spacing = 0;
-  for (int c = 0; c < 3; ++c) spacing += s.value[line][c][l] * dz[s.first[line][l] + c];
-  const std::size_t m = batch * mls_batch + static_cast<std::size_t>(l);
+  for (int c = 0; c < 3; ++c) spacing += s.value[line][c][lane] * dz[s.first[line][lane] + c];
   auto& part = parts_[line == z_face];
-  part.share[m] = 1;
-  part.volume[m] = area * (grid.dx() + grid.dy() + spacing) / 3;
-  part.spreading[m] = part.volume[m] / (grid.dx() * grid.dy() * spacing);
+  part.share[marker] = 1;
+  part.volume[marker] = area * (grid().dx() + grid().dy() + spacing) / 3;
+  part.spreading[marker] = part.volume[marker] / (grid().dx() * grid().dy() * spacing);
 }
 
 }  // namespace pliant

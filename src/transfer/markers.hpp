@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "transfer/mls_shape.hpp"
@@ -20,9 +21,12 @@ struct MarkerVectors {
   }
 };
 
-/// Batches begin .. end - 1 of a set of markers.
-struct BatchRange {
-  int begin = 0, end = 0;
+/// The stencils of some markers that follow each other, to be used while they are in cache: making them anew is cheaper
+/// than reading them back from memory.
+struct StencilBlock {
+  static constexpr int most = 4;  ///< batches
+  int first_batch = 0, n_batches = 0;
+  std::array<StencilBatch, most> stencils;
 };
 
 /// The markers at or near this rank's slab with their stencils: points at which bodies and flow feel each other.
@@ -42,12 +46,10 @@ class Markers {
   void place(std::span<const Vec3> positions, std::span<const double> areas);
 
   int size() const { return static_cast<int>(indices_.size()); }
-  int n_batches() const { return static_cast<int>(stencils_.size()); }
-  BatchRange all_batches() const { return {0, n_batches()}; }
-  std::size_t padded_size() const { return stencils_.size() * mls_batch; }
+  int n_batches() const { return (size() + mls_batch - 1) / mls_batch; }
+  std::size_t padded_size() const { return static_cast<std::size_t>(n_batches()) * mls_batch; }
   /// Markers of a batch.
   int count(int batch) const { return std::min(mls_batch, size() - batch * mls_batch); }
-  const StencilBatch& stencils(int batch) const { return stencils_[static_cast<std::size_t>(batch)]; }
   /// The caller's index of every marker, in working order.
   std::span<const int> indices() const { return indices_; }
 
@@ -58,6 +60,16 @@ class Markers {
   /// c = A h / sum_k phi_k dV_k, which makes the spread force whole; 0 where the share is.
   std::span<const double> spreading(int component) const { return parts_[component == 2].spreading; }
 
+  /// visit(block) for blocks of stencils that cover all markers, in working order.
+  template <class Visit>
+  void for_each_block(Visit visit) const {
+    StencilBlock block;
+    for (int begin = 0; begin < n_batches(); begin += StencilBlock::most) {
+      evaluate(begin, block);
+      visit(std::as_const(block));
+    }
+  }
+
   const Grid& grid() const { return shape_.grid(); }
 
  private:
@@ -66,14 +78,15 @@ class Markers {
   };
   int block_of(Vec3 position) const;
   void sort_by_blocks();
-  void finish_batch(std::size_t batch, std::span<const double> areas);
-  void finish_lane(StencilLine line, std::size_t batch, int lane, double area);
+  void evaluate(int first_batch, StencilBlock& block) const;
+  StencilBatch raw_stencils(int batch) const;
+  void leave_to_others(StencilLine line, std::size_t lane, StencilBatch& stencils) const;
+  void weigh(StencilLine line, const StencilBatch& stencils, std::size_t marker, double area);
 
   MlsShape shape_;
   std::array<int, 3> blocks_{};
   std::vector<Vec3> positions_, sorted_positions_;
   std::vector<int> indices_, sorted_indices_, block_of_marker_, block_begin_;
-  std::vector<StencilBatch> stencils_;
   Part parts_[2];  // u and v, w
 };
 

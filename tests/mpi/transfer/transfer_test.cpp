@@ -77,7 +77,7 @@ TEST(Interpolate, GivesLinearFieldsExactlyEverywhere) {
       markers.place(points, std::vector<double>(points.size(), 0.01));
       MarkerVectors found;
       found.assign(markers.padded_size());
-      interpolate(markers, markers.all_batches(), f.u.view(), f.v.view(), f.w.view(), found);
+      interpolate(markers, f.u.view(), f.v.view(), f.w.view(), found);
       const auto all = collect(markers, found, points.size());
       for (std::size_t n = 0; n < points.size(); ++n)
         for (int c = 0; c < 3; ++c) EXPECT_NEAR(all[3 * n + static_cast<std::size_t>(c)], linear(c, points[n]), 1e-12);
@@ -102,7 +102,7 @@ TEST(Interpolate, DoesNotSeePeriodicSidesOrRanks) {
     markers.place(moved, std::vector<double>(points.size(), 0.01));
     MarkerVectors found;
     found.assign(markers.padded_size());
-    interpolate(markers, markers.all_batches(), f.u.view(), f.v.view(), f.w.view(), found);
+    interpolate(markers, f.u.view(), f.v.view(), f.w.view(), found);
     results.push_back(collect(markers, found, points.size()));
   }
   // Points half-way between nodes may take either side's nodes: those on faces and centres are not among the random.
@@ -146,7 +146,7 @@ Balance balance(const Grid& grid, std::span<const Vec3> points) {
     for (int c = 0; c < 3; ++c) sums[c] += part[c], sums[3 + c] += torque[c];
     sums[12] += norm(torque);
   }
-  spread(markers, markers.all_batches(), forces, fields);
+  spread(markers, forces, fields);
   fields.gather();
   for_each_node(grid, 0, [&](int c, int i, int j, int k, Vec3 x) {
     Vec3 f;
