@@ -282,9 +282,6 @@ void sizes(benchmark::internal::Benchmark* b) {
   for (int n : {128, 256}) b->Args({n, static_cast<int>(StretchingLaw::uniform), 100000});
   b->Args({128, static_cast<int>(StretchingLaw::tanh), 100000});
   b->Args({32, static_cast<int>(StretchingLaw::uniform), 800});  // all of it in cache
-  b->Args({32, 0, 100000});
-  b->Args({128, 0, 20000});
-  b->Args({64, 0, 100000});
 }
 
 void uniform_sizes(benchmark::internal::Benchmark* b) {
