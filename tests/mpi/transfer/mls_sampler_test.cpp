@@ -124,6 +124,19 @@ TEST(MlsSampler, GivesLinearFieldsExactlyUpToTheWalls) {
   }
 }
 
+TEST(MlsSampler, GivesLinearGradientsToRoundOff) {
+  const Mat3 slopes{{{2, -3, 4}, {1, 5, -1}, {-1, 2, -7}}};
+  for (const auto law : {StretchingLaw::uniform, StretchingLaw::tanh}) {
+    const Grid grid(box(6, law), walls(), Communicator());
+    const auto fields = make_fields(grid, linear_flow());
+    const auto points = points_in(grid);
+    std::vector<FlowSample> samples(points.size());
+    MlsSampler(grid, fields.view(), 1.0).sample(points, samples);
+    for (const auto& sample : samples)
+      for (int c = 0; c < 3; ++c) EXPECT_LT(norm(sample.gradient[c] - slopes[c]), 2e-12);
+  }
+}
+
 TEST(MlsSampler, ConvergesOnSmoothPeriodicFields) {
   for (const auto law : {StretchingLaw::uniform, StretchingLaw::tanh}) {
     const Grid coarse(box(24, law), BoundaryConfig{}, Communicator());
