@@ -16,8 +16,12 @@ void fill_end_planes(View<Location> f, const FieldRules& rules, const Grid& grid
 
 /// The planes of a field as the halo exchange sees them.
 template <class Location>
+PlaneStack plane_stack(View<Location> f) {
+  return {f.origin - f.row - 8, f.plane, static_cast<std::size_t>(f.plane)};
+}
+template <class Location>
 PlaneStack plane_stack(Field<Location>& f) {
-  return {f.view().origin - f.row() - 8, f.plane(), static_cast<std::size_t>(f.plane())};
+  return plane_stack(f.view());
 }
 
 }  // namespace pliant

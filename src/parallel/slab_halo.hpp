@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <initializer_list>
+#include <vector>
 
 #include "parallel/communicator.hpp"
 
@@ -16,7 +17,8 @@ struct PlaneStack {
 /// Which ghost planes an exchange fills.
 enum class GhostPlanes { lower, upper, both };
 
-/// Exchanges the planes at the ends of the slabs between neighbours in z. Built once; allocates nothing in a step.
+/// Exchanges the planes at the ends of the slabs between neighbours in z. Built once; allocates nothing in a
+/// step but the first that accumulates.
 class SlabHalo {
  public:
   enum class Ends { bounded, periodic };
@@ -24,11 +26,15 @@ class SlabHalo {
 
   /// Owner to ghost, for all stacks at once. Collective. Ghost planes outside a bounded box are left as they are.
   void fill(std::initializer_list<PlaneStack> stacks, GhostPlanes which = GhostPlanes::both) const;
+  /// Ghost to owner: adds what stands in the ghost planes to the planes they are copies of, first that of the rank
+  /// below, then that of the rank above. Collective. The ghost planes keep what they hold.
+  void accumulate(std::initializer_list<PlaneStack> stacks);
 
  private:
   Communicator ranks_;
   int below_, above_;  // MPI_PROC_NULL at a bounded end
   int planes_;
+  std::vector<double> incoming_;  // made when first wanted
 };
 
 }  // namespace pliant

@@ -16,7 +16,7 @@
 #include "simulation/outputs.hpp"
 #include "simulation/stop_signals.hpp"
 #include "simulation/time_step.hpp"
-#include "transfer/field_sampler.hpp"
+#include "transfer/mls_sampler.hpp"
 
 namespace pliant {
 namespace {
@@ -70,7 +70,7 @@ struct Simulation::Impl {
   Grid grid;
   Bodies bodies;
   FlowSolver flow;
-  FieldSampler sampler;
+  MlsSampler sampler;
   std::optional<Outputs> outputs;
   std::optional<RunReport> run_report;  // on the root
   Progress progress;

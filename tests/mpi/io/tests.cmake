@@ -1,3 +1,2 @@
-pliant_test(field_sampler_test SOURCES ${CMAKE_CURRENT_LIST_DIR}/field_sampler_test.cpp LIBS pliant_transfer RANKS 1 2 3 4)
 pliant_test(io_field_writer_test SOURCES ${CMAKE_CURRENT_LIST_DIR}/io_field_writer_test.cpp LIBS pliant_io RANKS 1 2 3 4)
 pliant_test(io_simulation_test SOURCES ${CMAKE_CURRENT_LIST_DIR}/io_simulation_test.cpp LIBS pliant_simulation RANKS 1 2 3 4)

@@ -1,4 +1,4 @@
-#include "transfer/field_sampler.hpp"
+#include "transfer/mls_sampler.hpp"
 
 #include <gtest/gtest.h>
 
@@ -77,7 +77,7 @@ struct Errors {
 
 Errors largest_errors(const Grid& grid, const Flow& flow, double density) {
   const auto fields = make_fields(grid, flow);
-  const FieldSampler sampler(grid, fields.view(), density);
+  const MlsSampler sampler(grid, fields.view(), density);
   const auto points = points_in(grid);
   std::vector<FlowSample> samples(points.size());
   sampler.sample(points, samples);
@@ -114,7 +114,7 @@ Flow smooth_flow() {
           [=](Vec3 x) { return wave(x, 1.3); }, [=](Vec3 x) { return wave(x, 2.0); }};
 }
 
-TEST(FieldSampler, GivesLinearFieldsExactlyUpToTheWalls) {
+TEST(MlsSampler, GivesLinearFieldsExactlyUpToTheWalls) {
   for (const auto law : {StretchingLaw::uniform, StretchingLaw::tanh}) {
     const Grid grid(box(6, law), walls(), Communicator());
     const auto errors = largest_errors(grid, linear_flow(), 2.5);
@@ -124,30 +124,43 @@ TEST(FieldSampler, GivesLinearFieldsExactlyUpToTheWalls) {
   }
 }
 
-TEST(FieldSampler, ConvergesOnSmoothPeriodicFields) {
+TEST(MlsSampler, GivesLinearGradientsToRoundOff) {
+  const Mat3 slopes{{{2, -3, 4}, {1, 5, -1}, {-1, 2, -7}}};
+  for (const auto law : {StretchingLaw::uniform, StretchingLaw::tanh}) {
+    const Grid grid(box(6, law), walls(), Communicator());
+    const auto fields = make_fields(grid, linear_flow());
+    const auto points = points_in(grid);
+    std::vector<FlowSample> samples(points.size());
+    MlsSampler(grid, fields.view(), 1.0).sample(points, samples);
+    for (const auto& sample : samples)
+      for (int c = 0; c < 3; ++c) EXPECT_LT(norm(sample.gradient[c] - slopes[c]), 2e-12);
+  }
+}
+
+TEST(MlsSampler, ConvergesOnSmoothPeriodicFields) {
   for (const auto law : {StretchingLaw::uniform, StretchingLaw::tanh}) {
     const Grid coarse(box(24, law), BoundaryConfig{}, Communicator());
     const Grid fine(box(48, law), BoundaryConfig{}, Communicator());
     const auto a = largest_errors(coarse, smooth_flow(), 1.0);
     const auto b = largest_errors(fine, smooth_flow(), 1.0);
-    // Order 3 for the value and 2 for the gradient; the maximum over fixed points scatters a little.
-    EXPECT_GT(std::log2(a.value / b.value), 2.6);
-    EXPECT_GT(std::log2(a.gradient / b.gradient), 1.7);
-    EXPECT_LT(b.value, 1e-3);
+    // Order 2 for the value and 1 for the gradient; the maximum over fixed points scatters a little.
+    EXPECT_GT(std::log2(a.value / b.value), 1.7);
+    EXPECT_GT(std::log2(a.gradient / b.gradient), 0.8);
+    EXPECT_LT(b.value, 1e-2);
   }
 }
 
-TEST(FieldSampler, BringsPointsBackIntoAPeriodicBox) {
+TEST(MlsSampler, BringsPointsBackIntoAPeriodicBox) {
   const Grid grid(box(12, StretchingLaw::uniform), BoundaryConfig{}, Communicator());
   const auto fields = make_fields(grid, smooth_flow());
-  const FieldSampler sampler(grid, fields.view(), 1.0);
+  const MlsSampler sampler(grid, fields.view(), 1.0);
   const std::vector<Vec3> points{{0.3, 1.1, -0.4}, {0.3 + 2.0, 1.1 - 1.5, -0.4 + 6.0}};
   std::vector<FlowSample> samples(2);
   sampler.sample(points, samples);
   EXPECT_NEAR(norm(samples[0].velocity - samples[1].velocity), 0, 1e-13);
 }
 
-TEST(FieldSampler, DoesNotDependOnTheNumberOfRanks) {
+TEST(MlsSampler, DoesNotDependOnTheNumberOfRanks) {
   const auto config = box(9, StretchingLaw::tanh);
   const Grid shared(config, walls(), Communicator());
   const Grid alone(config, walls(), Communicator(MPI_COMM_SELF));
@@ -155,8 +168,8 @@ TEST(FieldSampler, DoesNotDependOnTheNumberOfRanks) {
   const auto own_fields = make_fields(alone, smooth_flow());
   const auto points = points_in(shared);
   std::vector<FlowSample> a(points.size()), b(points.size());
-  FieldSampler(shared, shared_fields.view(), 1.0).sample(points, a);
-  FieldSampler(alone, own_fields.view(), 1.0).sample(points, b);
+  MlsSampler(shared, shared_fields.view(), 1.0).sample(points, a);
+  MlsSampler(alone, own_fields.view(), 1.0).sample(points, b);
   for (std::size_t n = 0; n < points.size(); ++n) {
     EXPECT_EQ(a[n].velocity, b[n].velocity);
     for (int d = 0; d < 3; ++d) EXPECT_EQ(a[n].gradient[d], b[n].gradient[d]);
@@ -164,10 +177,10 @@ TEST(FieldSampler, DoesNotDependOnTheNumberOfRanks) {
   }
 }
 
-TEST(FieldSampler, RefusesPointsThatAreNowhere) {
+TEST(MlsSampler, RefusesPointsThatAreNowhere) {
   const Grid grid(box(6, StretchingLaw::uniform), walls(), Communicator());
   const auto fields = make_fields(grid, linear_flow());
-  const FieldSampler sampler(grid, fields.view(), 1.0);
+  const MlsSampler sampler(grid, fields.view(), 1.0);
   std::vector<FlowSample> sample(1);
   const std::vector<Vec3> outside{{0, 1, 1.1}}, nowhere{{std::numeric_limits<double>::quiet_NaN(), 1, 0}};
   EXPECT_THROW(sampler.sample(outside, sample), RunError);

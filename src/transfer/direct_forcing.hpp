@@ -1,0 +1,49 @@
+#pragma once
+#include "flow/flow_solver.hpp"
+#include "transfer/force_fields.hpp"
+#include "transfer/interpolate.hpp"
+
+namespace pliant {
+
+/// Makes the fluid follow markers: in every substep, between prediction and projection,
+///
+///   F = (V - U) / (alpha dt) at the markers, spread to the nodes: u += alpha dt f,
+///
+/// V the wanted and U the interpolated velocity; repeated `iterations` times (multi-direct forcing).
+/// Results are the same bits at every run; on other numbers of ranks they differ by round-off.
+class DirectForcing {
+ public:
+  /// `density` of the fluid; iterations >= 1. Throws InputError if the box is too small for markers.
+  DirectForcing(const Grid& grid, double density, int iterations = 1);
+
+  /// Markers from now on: positions, areas and wanted velocities of all that may touch this rank. Fixed bodies need
+  /// this once a run. Throws RunError if a marker is outside the box. Sets the forces to zero.
+  void place(std::span<const Vec3> positions, std::span<const double> areas, std::span<const Vec3> velocities);
+  /// New wanted velocities of the same markers, in the caller's order.
+  void set_velocities(std::span<const Vec3> velocities);
+
+  /// The forcing of one substep; a PredictedFlowHook. Collective. Ghosts must be filled, and are not afterwards.
+  void apply(const Substep& substep, double dt, View<FaceX> u, View<FaceY> v, View<FaceZ> w);
+
+  /// Adds to forces[i] the mean force of the fluid on marker i over the last step, by the caller's index; only the
+  /// components that this rank works on: their sum over the ranks is the force.
+  void add_forces(std::span<Vec3> forces) const;
+
+  /// Root mean square of V - U at the markers, for a velocity whose ghosts are filled. Collective; 0 without markers.
+  double rms_slip(ConstView<FaceX> u, ConstView<FaceY> v, ConstView<FaceZ> w);
+
+  const Markers& markers() const { return markers_; }
+
+ private:
+  void force_once(double weight, double dt_alpha, View<FaceX> u, View<FaceY> v, View<FaceZ> w);
+  void refill_ghosts(View<FaceX> u, View<FaceY> v, View<FaceZ> w);
+
+  Markers markers_;
+  ForceFields fields_;
+  SlabHalo halo_;
+  double density_;
+  int iterations_;
+  MarkerVectors wanted_, found_, impulse_;  // impulse: mean force on the fluid over the step
+};
+
+}  // namespace pliant

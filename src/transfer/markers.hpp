@@ -1,0 +1,93 @@
+#pragma once
+#include <algorithm>
+#include <array>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "transfer/mls_shape.hpp"
+
+namespace pliant {
+
+/// A vector at every marker of a rank, one array a component, in the markers' working order and padded to whole
+/// batches.
+struct MarkerVectors {
+  std::array<std::vector<double>, 3> components;
+  std::vector<double>& operator[](int c) { return components[static_cast<std::size_t>(c)]; }
+  const std::vector<double>& operator[](int c) const { return components[static_cast<std::size_t>(c)]; }
+  /// Makes it as long as that, and zero.
+  void assign(std::size_t padded_size) {
+    for (auto& c : components) c.assign(padded_size, 0.0);
+  }
+};
+
+/// The stencils of some markers that follow each other, to be used while they are in cache: making them anew is cheaper
+/// than reading them back from memory.
+struct StencilBlock {
+  static constexpr int most = 4;  ///< batches
+  int first_batch = 0, n_batches = 0;
+  std::array<StencilBatch, most> stencils;
+};
+
+/// The markers at or near this rank's slab with their stencils: points at which bodies and flow feel each other.
+///
+/// Markers stand in working order: by blocks of 4 x 4 x 4 cells, within a block in the caller's order, so that
+/// neighbours are near each other in memory; the order depends on positions and slab alone. A rank works on the u and v
+/// parts of a marker whose middle plane of cell centres it holds, and on the w part if it holds the middle plane of
+/// faces: every part has exactly one rank, and its nodes are that rank's or its ghosts. On all other ranks a part
+/// weighs nothing.
+class Markers {
+ public:
+  /// Throws InputError if a bounded direction has fewer than three cells.
+  explicit Markers(const Grid& grid, double alpha = default_mls_alpha);
+
+  /// Takes new markers: positions and areas of all that may touch this rank (others are left out). Points are brought
+  /// back into the box along periodic directions. Throws RunError that names the first marker outside the box.
+  void place(std::span<const Vec3> positions, std::span<const double> areas);
+
+  int size() const { return static_cast<int>(indices_.size()); }
+  int n_batches() const { return (size() + mls_batch - 1) / mls_batch; }
+  std::size_t padded_size() const { return static_cast<std::size_t>(n_batches()) * mls_batch; }
+  /// Markers of a batch.
+  int count(int batch) const { return std::min(mls_batch, size() - batch * mls_batch); }
+  /// The caller's index of every marker, in working order.
+  std::span<const int> indices() const { return indices_; }
+
+  /// By component, in working order: 1 where this rank works on that part of the marker, 0 elsewhere.
+  std::span<const double> share(int component) const { return parts_[component == 2].share; }
+  /// A h: the fluid's volume that a marker speaks for, h the mean spacing around it; 0 where the share is.
+  std::span<const double> volume(int component) const { return parts_[component == 2].volume; }
+  /// c = A h / sum_k phi_k dV_k, which makes the spread force whole; 0 where the share is.
+  std::span<const double> spreading(int component) const { return parts_[component == 2].spreading; }
+
+  /// visit(block) for blocks of stencils that cover all markers, in working order.
+  template <class Visit>
+  void for_each_block(Visit visit) const {
+    StencilBlock block;
+    for (int begin = 0; begin < n_batches(); begin += StencilBlock::most) {
+      evaluate(begin, block);
+      visit(std::as_const(block));
+    }
+  }
+
+  const Grid& grid() const { return shape_.grid(); }
+
+ private:
+  struct Part {
+    std::vector<double> share, volume, spreading;
+  };
+  int block_of(Vec3 position) const;
+  void sort_by_blocks();
+  void evaluate(int first_batch, StencilBlock& block) const;
+  StencilBatch raw_stencils(int batch) const;
+  void leave_to_others(StencilLine line, std::size_t lane, StencilBatch& stencils) const;
+  void weigh(StencilLine line, const StencilBatch& stencils, std::size_t marker, double area);
+
+  MlsShape shape_;
+  std::array<int, 3> blocks_{};
+  std::vector<Vec3> positions_, sorted_positions_;
+  std::vector<int> indices_, sorted_indices_, block_of_marker_, block_begin_;
+  Part parts_[2];  // u and v, w
+};
+
+}  // namespace pliant

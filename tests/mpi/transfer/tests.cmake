@@ -1,0 +1,5 @@
+pliant_test(mls_sampler_test SOURCES ${CMAKE_CURRENT_LIST_DIR}/mls_sampler_test.cpp LIBS pliant_transfer RANKS 1 2 3 4)
+pliant_test(accumulate_test SOURCES ${CMAKE_CURRENT_LIST_DIR}/accumulate_test.cpp LIBS pliant_boundary RANKS 1 2 3 4)
+pliant_test(transfer_test SOURCES ${CMAKE_CURRENT_LIST_DIR}/transfer_test.cpp LIBS pliant_transfer RANKS 1 2 3 4)
+target_include_directories(accumulate_test PRIVATE ${CMAKE_SOURCE_DIR}/tests)
+target_include_directories(transfer_test PRIVATE ${CMAKE_SOURCE_DIR}/tests)

@@ -1,0 +1,2 @@
+pliant_test(mls_shape_test SOURCES ${CMAKE_CURRENT_LIST_DIR}/mls_shape_test.cpp LIBS pliant_transfer)
+target_include_directories(mls_shape_test PRIVATE ${CMAKE_SOURCE_DIR}/tests)
