@@ -4,6 +4,9 @@
 #include <cmath>
 #include <cstring>
 
+// Packs pass between functions of this file alone, so how other compilers would pass them does not matter.
+#pragma GCC diagnostic ignored "-Wpsabi"
+
 namespace pliant {
 namespace {
 
