@@ -75,7 +75,7 @@ void set_taylor_green(FlowSolver& solver, int normal, double amplitude) {
   });
 }
 
-/// A mean velocity and a random superposition of long waves, damped towards bounded sides, then made solenoidal. The
+/// A mean velocity and a random superposition of long waves, damped towards bounded sides; not solenoidal yet. The
 /// same field on any number of ranks.
 void set_perturbed(FlowSolver& solver, Vec3 mean, double amplitude, std::uint64_t seed) {
   struct Wave {
@@ -105,7 +105,6 @@ void set_perturbed(FlowSolver& solver, Vec3 mean, double amplitude, std::uint64_
       if (!solver.grid().is_periodic(d)) damping *= std::sin(pi * s[d]);
     return mean + damping * u;
   });
-  if (!solver.has_open_sides()) solver.project_initial();
 }
 
 }  // namespace
@@ -132,7 +131,8 @@ void set_initial_flow(FlowSolver& solver, const InitialConfig& initial) {
       set_perturbed(solver, initial.velocity, initial.amplitude, initial.seed);
       break;
   }
-  if (solver.has_open_sides()) solver.project_initial();
+  // Only these need not be solenoidal as they are.
+  if (solver.has_open_sides() || initial.flow == InitialFlow::perturbed) solver.project_initial();
   else solver.fill_ghosts();
 }
 
