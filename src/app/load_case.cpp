@@ -8,7 +8,7 @@
 #include "config/read_case.hpp"
 #include "config/validate.hpp"
 #include "core/error.hpp"
-#include "io/agree.hpp"
+#include "parallel/agree.hpp"
 #include "mesh/geometry.hpp"
 #include "structure/make_body.hpp"
 

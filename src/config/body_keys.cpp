@@ -1,4 +1,5 @@
 #include "config/key_table.hpp"
+#include "config/motion_keys.hpp"
 
 namespace pliant {
 namespace {
@@ -104,10 +105,7 @@ void add_motion(std::vector<BodyKey>& keys) {
   };
   keys.push_back(make_key<BodyConfig>({"center", "length", "where the surface's origin is put"},
                                       [](auto& b) { return &b.center; }));
-  keys.push_back(make_key<BodyConfig>({"motion", "", "how the body moves"}, [](auto& b) { return &b.motion; }));
-  keys.push_back(
-      make_key<BodyConfig>({"coupling", "", "one-way: the flow moves the body, the body leaves the flow alone"},
-                           [](auto& b) { return &b.coupling; }));
+  add_motion_keys(keys);
   keys.push_back(deformable(make_key<BodyConfig>(
       {"mass_per_vertex", "mass", "of each vertex in Newton's law"}, [](auto& b) { return &b.mass_per_vertex; },
       positive())));

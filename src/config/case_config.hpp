@@ -59,6 +59,7 @@ struct ForcingConfig {
     double value = 1.0;
   };
   std::optional<BulkVelocity> bulk_velocity;  ///< constant mass flux along a periodic axis
+  Vec3 gravity{0, 0, 0};                      ///< bodies feel it times their mass less that of the fluid they displace
 };
 
 enum class InitialFlow { rest, uniform, couette, poiseuille, taylor_green, perturbed };
@@ -92,13 +93,14 @@ struct FileSurface {
 using SurfaceSpec = std::variant<SphereSurface, FileSurface>;
 
 enum class TractionForm { none, drag, one_sided, gradient };
-/// Whose area a vertex's drag counts: a network's drag belongs to its material, a liquid interface's to its present area.
+/// Whose area a vertex's drag counts: a network's drag belongs to its material, a liquid interface's to its present
+/// area.
 enum class DragArea { reference, current };
 struct TractionConfig {
   TractionForm form = TractionForm::one_sided;
   double coefficient = 100.0;  ///< drag: c_d in c = c_d mu A_node / R
   DragArea area = DragArea::reference;
-  double probe_length = 0.0;   ///< one-sided, gradient: 0 means the mean grid spacing
+  double probe_length = 0.0;  ///< one-sided, gradient: 0 means the mean grid spacing
 };
 
 struct EdgeConfig {
@@ -129,19 +131,82 @@ struct PotentialsConfig {
   std::optional<SurfaceTensionConfig> surface_tension;
 };
 
-enum class MotionKind { fixed, deformable };
-enum class CouplingKind { one_way };
+enum class MotionKind { fixed, prescribed, rigid, hinge, deformable };
+/// one-way: the flow does not feel the body; loose, strong: who moves when, of rigid and hinged bodies; automatic:
+/// loose or strong by the added-mass ratio.
+enum class CouplingKind { automatic, one_way, loose, strong };
+/// What moves a rigid or hinged body: the momentum balance of its forcing, or the stress at the ends of its probes.
+enum class LoadSource { momentum_balance, probes };
+
+/// motion = "prescribed": where the body is at time t, from its place in the case file. Texts are formulas or names of
+/// signals; empty: 0.
+struct PathConfig {
+  std::string x, y, z;  ///< displacement
+  std::string angle;    ///< degrees, about the axis through the pivot
+  Vec3 axis{0, 0, 1};
+  std::optional<Vec3> pivot;  ///< default: the body's center; moves along with the displacement
+};
+
+/// What a rigid or hinged body is made of.
+struct MaterialConfig {
+  std::optional<double> density;  ///< default: the fluid's
+  double thickness = 0;           ///< of the wall; 0: a solid
+  std::optional<double> mass;     ///< instead of density times volume; scales the inertia
+  std::optional<Vec3> inertia;    ///< principal moments along the axes of the surface's file, before `rotation`
+};
+
+/// motion = "rigid".
+struct RigidConfig {
+  Vec3 velocity, angular_velocity;  ///< at the start
+  Vec3 free_translation{1, 1, 1};   ///< 1: may move along this axis of the box; 0: may not
+  Vec3 free_rotation{1, 1, 1};      ///< the same about this axis
+  double virtual_mass = 0;          ///< fraction of the displaced fluid's mass added on both sides of Newton's law
+};
+
+/// motion = "hinge".
+struct HingeConfig {
+  Vec3 point, axis{0, 1, 0};
+  double angle = 0, rate = 0;                         ///< degrees, and degrees a time, at the start
+  std::optional<double> min_angle, max_angle;         ///< degrees; none: no stop
+  double restitution = 0;                             ///< of the stops
+  std::optional<double> inertia;                      ///< about the axis; else from the material
+  double damping = 0, stiffness = 0, rest_angle = 0;  ///< torque -damping rate - stiffness (angle - rest_angle)
+  double virtual_inertia = 0;                         ///< added on both sides of the equation of motion
+};
 struct BodyConfig {
   std::string name;
   SurfaceSpec surface;
   Vec3 center{0, 0, 0};
   MotionKind motion = MotionKind::deformable;
-  CouplingKind coupling = CouplingKind::one_way;
+  CouplingKind coupling = CouplingKind::automatic;
+  PathConfig path;
+  MaterialConfig material;
+  RigidConfig rigid;
+  HingeConfig hinge;
+  LoadSource loads = LoadSource::momentum_balance;
+  int marker_refinement = 0;  ///< markers along the edge of a face; 0: as many as the grid asks for
   double mass_per_vertex = 1.0;
   double damping = 0.0;         ///< force = -damping * velocity of the vertex
   std::optional<int> substeps;  ///< within a fluid step; else found from the stability limit
   TractionConfig traction;
   PotentialsConfig potentials;
+};
+
+struct ImmersedBoundaryConfig {
+  int forcing_iterations = 1;
+};
+
+enum class StrongScheme { aitken, hamming };
+struct CouplingConfig {
+  StrongScheme scheme = StrongScheme::aitken;
+  double tolerance = 1e-6;  ///< largest change of a velocity between iterations, over the largest velocity
+  int max_iterations = 50;
+  double relaxation = 0.5;  ///< of the first iteration of a step
+};
+
+struct RepulsionConfig {
+  double range = 0;     ///< 0: none
+  double strength = 0;  ///< pressure scale
 };
 
 struct HistoryConfig {
@@ -168,6 +233,9 @@ struct CaseConfig {
   BoundaryConfig boundary;
   InitialConfig initial;
   TimeConfig time;
+  ImmersedBoundaryConfig immersed_boundary;
+  CouplingConfig coupling;
+  RepulsionConfig repulsion;
   std::vector<BodyConfig> bodies;
   OutputConfig output;
 };

@@ -1,4 +1,5 @@
 #include "config/key_table.hpp"
+#include "config/motion_keys.hpp"
 
 namespace pliant {
 namespace {
@@ -117,6 +118,10 @@ void add_fluid(std::vector<CaseKey>& keys) {
       [](auto& c) { return &c.fluid.viscosity; }, at_least(0)));
   keys.push_back(make_key<CaseConfig>({"forcing.acceleration", "length / time^2", "force per unit mass of fluid"},
                                       [](auto& c) { return &c.forcing.acceleration; }));
+  keys.push_back(make_key<CaseConfig>({"forcing.gravity", "length / time^2",
+                                       "moves bodies that are heavier or lighter than the fluid; the fluid's own weight is "
+                                       "balanced by its pressure and left out"},
+                                      [](auto& c) { return &c.forcing.gravity; }));
   keys.push_back(required(make_key<CaseConfig>(
       {"forcing.bulk_velocity.axis", "", "direction of a constant mass flux; must be periodic"}, [](auto& c) {
         auto* bulk = member(c.forcing.bulk_velocity);
@@ -232,6 +237,7 @@ std::vector<Key<CaseConfig>> case_keys() {
   add_boundary(keys);
   add_initial(keys);
   add_time(keys);
+  add_interaction_keys(keys);
   add_output(keys);
   return keys;
 }

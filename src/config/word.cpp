@@ -54,12 +54,29 @@ Words<ReferenceAngle> words_of<ReferenceAngle>() {
 
 template <>
 Words<MotionKind> words_of<MotionKind>() {
-  return {{"fixed", MotionKind::fixed}, {"deformable", MotionKind::deformable}};
+  return {{"fixed", MotionKind::fixed},
+          {"prescribed", MotionKind::prescribed},
+          {"rigid", MotionKind::rigid},
+          {"hinge", MotionKind::hinge},
+          {"deformable", MotionKind::deformable}};
 }
 
 template <>
 Words<CouplingKind> words_of<CouplingKind>() {
-  return {{"one-way", CouplingKind::one_way}};
+  return {{"auto", CouplingKind::automatic},
+          {"one-way", CouplingKind::one_way},
+          {"loose", CouplingKind::loose},
+          {"strong", CouplingKind::strong}};
+}
+
+template <>
+Words<LoadSource> words_of<LoadSource>() {
+  return {{"momentum-balance", LoadSource::momentum_balance}, {"probes", LoadSource::probes}};
+}
+
+template <>
+Words<StrongScheme> words_of<StrongScheme>() {
+  return {{"aitken", StrongScheme::aitken}, {"hamming", StrongScheme::hamming}};
 }
 
 }  // namespace pliant

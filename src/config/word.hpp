@@ -34,6 +34,10 @@ template <>
 Words<MotionKind> words_of<MotionKind>();
 template <>
 Words<CouplingKind> words_of<CouplingKind>();
+template <>
+Words<LoadSource> words_of<LoadSource>();
+template <>
+Words<StrongScheme> words_of<StrongScheme>();
 
 /// The word for a value.
 template <class E>

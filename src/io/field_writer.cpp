@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/error.hpp"
-#include "io/agree.hpp"
+#include "parallel/agree.hpp"
 #include "io/atomic_file.hpp"
 #include "io/hdf5_file.hpp"
 #include "io/shared_file.hpp"

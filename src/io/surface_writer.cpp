@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "io/agree.hpp"
+#include "parallel/agree.hpp"
 #include "io/atomic_file.hpp"
 #include "io/hdf5_file.hpp"
 

@@ -5,7 +5,7 @@
 #include <regex>
 
 #include "core/error.hpp"
-#include "io/agree.hpp"
+#include "parallel/agree.hpp"
 #include "io/atomic_file.hpp"
 
 namespace pliant {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "io/agree.hpp"
+#include "parallel/agree.hpp"
 
 namespace pliant {
 namespace {

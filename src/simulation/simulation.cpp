@@ -10,7 +10,7 @@
 #include "core/error.hpp"
 #include "core/timer.hpp"
 #include "core/version.hpp"
-#include "io/agree.hpp"
+#include "parallel/agree.hpp"
 #include "io/run_report.hpp"
 #include "simulation/output_folder.hpp"
 #include "simulation/outputs.hpp"

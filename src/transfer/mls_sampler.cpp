@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "parallel/agree.hpp"
 #include "transfer/interpolate.hpp"
+#include "transfer/point_router.hpp"
 
 namespace pliant {
 namespace {
@@ -26,6 +28,24 @@ MlsSampler::MlsSampler(const Grid& grid, SampledFields fields, double density)
     : shape_(grid), fields_(fields), density_(density) {}
 
 void MlsSampler::sample(std::span<const Vec3> points, std::span<FlowSample> samples) const {
+  PointRouter router(shape_.grid());
+  const auto outside = router.first_outside(points);
+  agree(shape_.grid().ranks(),
+        outside == points.size() ? ""
+                                 : fmt::format("the flow was asked for at ({}, {}, {}), which is outside the box",
+                                               points[outside].x, points[outside].y, points[outside].z));
+  router.route(points);
+  std::vector<double> numbers(n_numbers * points.size());
+  router.collect(evaluate(router.held()), static_cast<int>(n_numbers), numbers);
+  for (std::size_t n = 0; n < points.size(); ++n) {
+    const double* in = numbers.data() + n_numbers * n;
+    samples[n].velocity = {in[0], in[1], in[2]};
+    for (int i = 0; i < 3; ++i) samples[n].gradient[i] = {in[3 + 3 * i], in[4 + 3 * i], in[5 + 3 * i]};
+    samples[n].pressure = in[12];
+  }
+}
+
+std::vector<double> MlsSampler::evaluate(std::span<const Vec3> points) const {
   std::vector<double> numbers(n_numbers * points.size(), 0.0);
   StencilBatch stencils;
   SlopeBatch slopes;
@@ -58,25 +78,14 @@ void MlsSampler::sample(std::span<const Vec3> points, std::span<FlowSample> samp
   };
 
   for (std::size_t n = 0; n < points.size(); ++n) {
-    Vec3 x = points[n];
-    if (!shape_.bring_into_box(x))
-      throw CollectiveError(fmt::format("the flow was asked for at ({}, {}, {}), which is outside the box", points[n].x,
-                                        points[n].y, points[n].z));
-    if (!shape_.is_near(x.z)) continue;
+    if (!shape_.is_near(points[n].z)) continue;
     const auto lane = static_cast<std::size_t>(pending.count++);
-    pending.points[lane] = x;
+    pending.points[lane] = points[n];
     pending.indices[lane] = n;
     if (pending.count == mls_batch) flush();
   }
   flush();
-
-  if (!numbers.empty()) shape_.grid().ranks().sum(numbers);
-  for (std::size_t n = 0; n < points.size(); ++n) {
-    const double* in = numbers.data() + n_numbers * n;
-    samples[n].velocity = {in[0], in[1], in[2]};
-    for (int i = 0; i < 3; ++i) samples[n].gradient[i] = {in[3 + 3 * i], in[4 + 3 * i], in[5 + 3 * i]};
-    samples[n].pressure = in[12];
-  }
+  return numbers;
 }
 
 }  // namespace pliant

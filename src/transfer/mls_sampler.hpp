@@ -1,4 +1,6 @@
 #pragma once
+#include <vector>
+
 #include "field/field.hpp"
 #include "transfer/flow_sample.hpp"
 #include "transfer/mls_shape.hpp"
@@ -19,17 +21,19 @@ struct SampledFields {
 /// Linear fields come out exact; in general the value is second and the gradient first order in the spacing. The
 /// pressure that comes out is physical: density times the solver's.
 ///
-/// In z each rank evaluates the points whose middle plane it holds, and a sum over the ranks, exact because all other
-/// terms are zero, gives every rank the same samples, whatever the number of ranks. Points are brought back into the
-/// box along periodic directions.
+/// Every rank asks for points of its own. They are evaluated by the ranks that hold the middle planes of their stencils,
+/// and what these say is summed, exactly because all other terms are zero: the samples are the same for any number of
+/// ranks. Points are brought back into the box along periodic directions.
 class MlsSampler : public FlowSampler {
  public:
   MlsSampler(const Grid& grid, SampledFields fields, double density);
 
-  /// Throws RunError, on all ranks, if a point is not a number or lies outside the box beyond a bounded side.
+  /// Throws CollectiveError if a point is not a number or lies outside the box beyond a bounded side.
   void sample(std::span<const Vec3> points, std::span<FlowSample> samples) const override;
 
  private:
+  std::vector<double> evaluate(std::span<const Vec3> points) const;
+
   MlsShape shape_;
   SampledFields fields_;
   double density_;

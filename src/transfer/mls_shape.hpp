@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <span>
 #include <vector>
 
@@ -54,6 +55,12 @@ class MlsShape {
   /// Brings a point back into the box along periodic directions. False if it is not a number or lies beyond a bounded
   /// side.
   bool bring_into_box(Vec3& point) const;
+
+  /// Middle planes of the stencils along z (centres, faces) of a point at height z, by global index, to round-off: a
+  /// point at a border between cells may count to either.
+  std::array<int, 2> middle_planes(double z) const {
+    return {middle_plane(z_center, z), middle_plane(z_face, z)};
+  }
 
   /// False if no stencil of a point at height z can have its middle plane on this rank.
   bool is_near(double z) const;

@@ -1,4 +1,4 @@
-#include "io/agree.hpp"
+#include "parallel/agree.hpp"
 
 #include "core/error.hpp"
 
