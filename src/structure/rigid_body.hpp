@@ -1,0 +1,59 @@
+#pragma once
+#include <array>
+
+#include "structure/rigid_state.hpp"
+
+namespace pliant {
+
+enum class AxisMotion { free, locked };
+
+/// Which of the six motions the body may make, along and about the world's x, y and z. The velocity in a locked
+/// direction keeps its value to the bit, so that one of 0 holds the body where it is.
+struct Freedom {
+  std::array<AxisMotion, 3> translation{};
+  std::array<AxisMotion, 3> rotation{};
+};
+
+struct RigidModel {
+  double mass = 0;
+  Mat3 inertia;  ///< tensor about the centre, along the axes of the reference shape
+  /// Virtual mass and isotropic virtual inertia, of about the fluid's added mass; 0: none. They make loose coupling
+  /// stable for light bodies and vanish as the acceleration becomes steady (Schwarz, Kempe & Froehlich, J. Comput.
+  /// Phys. 281 (2015) 591-613).
+  double virtual_mass = 0;
+  double virtual_inertia = 0;
+  Freedom freedom;
+};
+
+/// About the body's centre, in the world's frame.
+struct RigidLoad {
+  Vec3 force;
+  Vec3 torque;
+};
+
+/// Moves a body through `step` under a load that stays constant in the world's frame.
+///
+/// Translation: (m + m_v) a' = F + m_v a_old, exact for this load. Rotation: with K = (R I R^T + I_v) omega,
+/// K' = K + step (T + I_v alpha_old), and R' = exp(step omega_m) R, where omega_m belongs to the mean of K and to the
+/// orientation half-way (implicit midpoint rule, symmetric in time). Hence, without virtual inertia, angular momentum
+/// changes by step T to round-off, for any step; orientation and energy are second order. Virtual terms lag by one step
+/// and are first order.
+///
+/// `acceleration` holds the mean over the last step on entry (only virtual terms read it) and that over this one on
+/// return. m + m_v must be positive, and R I R^T + I_v positive definite in the free directions.
+void advance_rigid(RigidState& state, RigidAcceleration& acceleration, const RigidModel& model, const RigidLoad& load,
+                   double step);
+
+/// The same inside an iteration: always from the state at the start of the step, with the mean of the loads at its
+/// start and at the last guess of its end. `acceleration` is that of the last guess on entry, so that virtual terms
+/// vanish as the iteration converges and only its path depends on them; the new one on return.
+RigidState advance_rigid_trapezoidal(const RigidState& start, RigidAcceleration& acceleration, const RigidModel& model,
+                                     const RigidLoad& load_at_start, const RigidLoad& load_at_end, double step);
+
+/// R I R^T omega: angular momentum about the centre, in the world's frame.
+Vec3 angular_momentum(const RigidState& state, const Mat3& inertia);
+
+/// m v^2 / 2 + omega . L / 2.
+double kinetic_energy(const RigidState& state, const RigidModel& model);
+
+}  // namespace pliant
