@@ -88,4 +88,13 @@ double DirectForcing::rms_slip(ConstView<FaceX> u, ConstView<FaceY> v, ConstView
   return numbers[1] > 0 ? std::sqrt(numbers[0] / numbers[1]) : 0;
 }
 
+void DirectForcing::add_velocities(ConstView<FaceX> u, ConstView<FaceY> v, ConstView<FaceZ> w,
+                                   std::span<Vec3> velocities) {
+  interpolate(markers_, u, v, w, found_);
+  const auto indices = markers_.indices();
+  for (int c = 0; c < 3; ++c)
+    for (std::size_t m = 0; m < indices.size(); ++m)
+      velocities[static_cast<std::size_t>(indices[m])][c] += found_[c][m];
+}
+
 }  // namespace pliant

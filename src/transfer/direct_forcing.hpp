@@ -32,6 +32,11 @@ class DirectForcing {
   /// Root mean square of V - U at the markers, for a velocity whose ghosts are filled. Collective; 0 without markers.
   double rms_slip(ConstView<FaceX> u, ConstView<FaceY> v, ConstView<FaceZ> w);
 
+  /// Adds to velocities[i] the flow's velocity at marker i, by the caller's index, for a velocity whose ghosts are
+  /// filled; only the components that this rank works on: their sum over the ranks, all others exact zeros, is the
+  /// velocity.
+  void add_velocities(ConstView<FaceX> u, ConstView<FaceY> v, ConstView<FaceZ> w, std::span<Vec3> velocities);
+
   const Markers& markers() const { return markers_; }
 
  private:
