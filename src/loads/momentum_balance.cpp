@@ -14,7 +14,7 @@ double trace_about(const SolidMoments& moments, Vec3 arm) {
 
 }  // namespace
 
-RigidLoad momentum_balance(const RigidLoad& of_markers, const InnerFluid& fluid, const RigidAcceleration& body,
+RigidLoad momentum_balance(const RigidLoad& of_markers, const InnerFluid& fluid, const InnerMotion& body,
                            Vec3 center) {
   const auto& moments = fluid.moments;
   const Vec3 arm = moments.centroid - center, omega = body.angular_velocity;

@@ -1,12 +1,12 @@
 #pragma once
 #include "core/mat3.hpp"
-#include "loads/rigid_load.hpp"
+#include "structure/rigid_load.hpp"
 #include "mesh/geometry.hpp"
 
 namespace pliant {
 
 /// How a closed body moved during a step, as a rigid whole.
-struct RigidAcceleration {
+struct InnerMotion {
   Vec3 linear;            ///< of the point about which torques are taken: (v_new - v_old)/dt
   Vec3 angular;           ///< (omega_new - omega_old)/dt
   Vec3 angular_velocity;  ///< in the middle of the step
@@ -29,7 +29,7 @@ struct InnerFluid {
 ///
 /// I the inertia tensor of the volume about `center` at unit density. An open body encloses nothing: its load is
 /// `of_markers` itself. (Uhlmann, J. Comput. Phys. 209, 2005.)
-RigidLoad momentum_balance(const RigidLoad& of_markers, const InnerFluid& fluid, const RigidAcceleration& body,
+RigidLoad momentum_balance(const RigidLoad& of_markers, const InnerFluid& fluid, const InnerMotion& body,
                            Vec3 center);
 
 }  // namespace pliant

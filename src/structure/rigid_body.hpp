@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 
+#include "structure/rigid_load.hpp"
 #include "structure/rigid_state.hpp"
 
 namespace pliant {
@@ -23,12 +24,6 @@ struct RigidModel {
   double virtual_mass = 0;
   double virtual_inertia = 0;
   Freedom freedom;
-};
-
-/// About the body's centre, in the world's frame.
-struct RigidLoad {
-  Vec3 force;
-  Vec3 torque;
 };
 
 /// Moves a body through `step` under a load that stays constant in the world's frame.

@@ -7,29 +7,34 @@
 
 namespace pliant {
 DirectForcing::DirectForcing(const Grid& grid, double density, int iterations)
-    : markers_(grid),
+    : grid_(grid),
+      sets_{Set{Markers(grid), {}, {}, {}}, Set{Markers(grid), {}, {}, {}}},
       fields_(grid),
       halo_(grid.ranks(), grid.is_periodic(2) ? SlabHalo::Ends::periodic : SlabHalo::Ends::bounded, grid.nz()),
       density_(density),
       iterations_(iterations) {}
 
 void DirectForcing::place(std::span<const Vec3> positions, std::span<const double> areas,
-                          std::span<const Vec3> velocities) {
-  markers_.place(positions, areas);
-  fields_.reach(markers_);
-  for (auto* vectors : {&wanted_, &found_, &impulse_}) vectors->assign(markers_.padded_size());
-  set_velocities(velocities);
+                          std::span<const Vec3> velocities, MarkerGroup group) {
+  Set& set = set_of(group);
+  set.markers.place(positions, areas);
+  if (group == MarkerGroup::fixed) fields_.reach_always(set.markers);
+  fields_.reach(set_of(MarkerGroup::moving).markers);
+  for (auto* vectors : {&set.wanted, &set.found, &set.impulse}) vectors->assign(set.markers.padded_size());
+  set_velocities(velocities, group);
 }
 
-void DirectForcing::set_velocities(std::span<const Vec3> velocities) {
-  const auto indices = markers_.indices();
+void DirectForcing::set_velocities(std::span<const Vec3> velocities, MarkerGroup group) {
+  Set& set = set_of(group);
+  const auto indices = set.markers.indices();
   for (int c = 0; c < 3; ++c)
     for (std::size_t m = 0; m < indices.size(); ++m)
-      wanted_[c][m] = velocities[static_cast<std::size_t>(indices[m])][c];
+      set.wanted[c][m] = velocities[static_cast<std::size_t>(indices[m])][c];
 }
 
 void DirectForcing::apply(const Substep& substep, double dt, View<FaceX> u, View<FaceY> v, View<FaceZ> w) {
-  if (substep.index == 0) impulse_.assign(markers_.padded_size());
+  if (substep.index == 0)
+    for (Set& set : sets_) set.impulse.assign(set.markers.padded_size());
   for (int n = 0; n < iterations_; ++n) {
     if (n > 0) refill_ghosts(u, v, w);
     force_once(substep.alpha * density_, substep.alpha * dt, u, v, w);
@@ -38,63 +43,71 @@ void DirectForcing::apply(const Substep& substep, double dt, View<FaceX> u, View
 
 void DirectForcing::force_once(double weight, double dt_alpha, View<FaceX> u, View<FaceY> v, View<FaceZ> w) {
   fields_.clear();
-  const double factor = 1 / dt_alpha;
-  markers_.for_each_block([&](const StencilBlock& block) {
-    interpolate(markers_, block, u, v, w, found_);
-    const std::size_t begin = static_cast<std::size_t>(block.first_batch) * mls_batch;
-    const std::size_t end = begin + static_cast<std::size_t>(block.n_batches) * mls_batch;
-    for (int c = 0; c < 3; ++c) {
-      const auto volume = markers_.volume(c);
-      for (std::size_t m = begin; m < end; ++m) {
-        found_[c][m] = factor * (wanted_[c][m] - found_[c][m]);
-        impulse_[c][m] += weight * volume[m] * found_[c][m];
-      }
-    }
-    spread(markers_, block, found_, fields_);
-  });
+  for (Set& set : sets_) force_set(set, weight, dt_alpha, u, v, w);
   fields_.gather();
   fields_.add_to(dt_alpha, u, v, w);
 }
 
+void DirectForcing::force_set(Set& set, double weight, double dt_alpha, View<FaceX> u, View<FaceY> v, View<FaceZ> w) {
+  const double factor = 1 / dt_alpha;
+  set.markers.for_each_block([&](const StencilBlock& block) {
+    interpolate(set.markers, block, u, v, w, set.found);
+    const std::size_t begin = static_cast<std::size_t>(block.first_batch) * mls_batch;
+    const std::size_t end = begin + static_cast<std::size_t>(block.n_batches) * mls_batch;
+    for (int c = 0; c < 3; ++c) {
+      const auto volume = set.markers.volume(c);
+      for (std::size_t m = begin; m < end; ++m) {
+        set.found[c][m] = factor * (set.wanted[c][m] - set.found[c][m]);
+        set.impulse[c][m] += weight * volume[m] * set.found[c][m];
+      }
+    }
+    spread(set.markers, block, set.found, fields_);
+  });
+}
+
 // Supports hold no ghosts of bounded sides, so that the copies between ranks and periodic sides are all they need.
 void DirectForcing::refill_ghosts(View<FaceX> u, View<FaceY> v, View<FaceZ> w) {
-  const Grid& grid = markers_.grid();
-  for (int k = 0; k < grid.nz(); ++k) {
-    fill_periodic_ghosts(u, grid, k);
-    fill_periodic_ghosts(v, grid, k);
-    fill_periodic_ghosts(w, grid, k);
+  for (int k = 0; k < grid_.nz(); ++k) {
+    fill_periodic_ghosts(u, grid_, k);
+    fill_periodic_ghosts(v, grid_, k);
+    fill_periodic_ghosts(w, grid_, k);
   }
   halo_.fill({plane_stack(u), plane_stack(v), plane_stack(w)});
 }
 
-void DirectForcing::add_forces(std::span<Vec3> forces) const {
-  const auto indices = markers_.indices();
+void DirectForcing::add_forces(std::span<Vec3> forces, MarkerGroup group) const {
+  const Set& set = set_of(group);
+  const auto indices = set.markers.indices();
   for (int c = 0; c < 3; ++c)
-    for (std::size_t m = 0; m < indices.size(); ++m) forces[static_cast<std::size_t>(indices[m])][c] -= impulse_[c][m];
+    for (std::size_t m = 0; m < indices.size(); ++m)
+      forces[static_cast<std::size_t>(indices[m])][c] -= set.impulse[c][m];
 }
 
 double DirectForcing::rms_slip(ConstView<FaceX> u, ConstView<FaceY> v, ConstView<FaceZ> w) {
-  interpolate(markers_, u, v, w, found_);
   double numbers[2] = {0, 0};  // sum of squares, markers
-  for (int c = 0; c < 3; ++c) {
-    const auto share = markers_.share(c);
-    for (std::size_t m = 0; m < share.size(); ++m) {
-      const double slip = wanted_[c][m] - found_[c][m];
-      numbers[0] += share[m] * slip * slip;
-      if (c == 0) numbers[1] += share[m];
+  for (Set& set : sets_) {
+    interpolate(set.markers, u, v, w, set.found);
+    for (int c = 0; c < 3; ++c) {
+      const auto share = set.markers.share(c);
+      for (std::size_t m = 0; m < share.size(); ++m) {
+        const double slip = set.wanted[c][m] - set.found[c][m];
+        numbers[0] += share[m] * slip * slip;
+        if (c == 0) numbers[1] += share[m];
+      }
     }
   }
-  markers_.grid().ranks().sum(numbers);
+  grid_.ranks().sum(numbers);
   return numbers[1] > 0 ? std::sqrt(numbers[0] / numbers[1]) : 0;
 }
 
 void DirectForcing::add_velocities(ConstView<FaceX> u, ConstView<FaceY> v, ConstView<FaceZ> w,
-                                   std::span<Vec3> velocities) {
-  interpolate(markers_, u, v, w, found_);
-  const auto indices = markers_.indices();
+                                   std::span<Vec3> velocities, MarkerGroup group) {
+  Set& set = set_of(group);
+  interpolate(set.markers, u, v, w, set.found);
+  const auto indices = set.markers.indices();
   for (int c = 0; c < 3; ++c)
     for (std::size_t m = 0; m < indices.size(); ++m)
-      velocities[static_cast<std::size_t>(indices[m])][c] += found_[c][m];
+      velocities[static_cast<std::size_t>(indices[m])][c] += set.found[c][m];
 }
 
 }  // namespace pliant

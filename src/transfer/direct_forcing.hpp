@@ -5,6 +5,9 @@
 
 namespace pliant {
 
+/// Markers that are placed once a run, and those that are placed anew in every step.
+enum class MarkerGroup { fixed, moving };
+
 /// Makes the fluid follow markers: in every substep, between prediction and projection,
 ///
 ///   F = (V - U) / (alpha dt) at the markers, spread to the nodes: u += alpha dt f,
@@ -16,39 +19,48 @@ class DirectForcing {
   /// `density` of the fluid; iterations >= 1. Throws InputError if the box is too small for markers.
   DirectForcing(const Grid& grid, double density, int iterations = 1);
 
-  /// Markers from now on: positions, areas and wanted velocities of all that may touch this rank. Fixed bodies need
-  /// this once a run. Throws RunError if a marker is outside the box. Sets the forces to zero.
-  void place(std::span<const Vec3> positions, std::span<const double> areas, std::span<const Vec3> velocities);
+  /// The markers of a group from now on: positions, areas and wanted velocities of all that may touch this rank. Throws
+  /// RunError if a marker is outside the box. Sets the group's forces to zero.
+  void place(std::span<const Vec3> positions, std::span<const double> areas, std::span<const Vec3> velocities,
+             MarkerGroup group = MarkerGroup::moving);
   /// New wanted velocities of the same markers, in the caller's order.
-  void set_velocities(std::span<const Vec3> velocities);
+  void set_velocities(std::span<const Vec3> velocities, MarkerGroup group = MarkerGroup::moving);
 
   /// The forcing of one substep; a PredictedFlowHook. Collective. Ghosts must be filled, and are not afterwards.
   void apply(const Substep& substep, double dt, View<FaceX> u, View<FaceY> v, View<FaceZ> w);
 
   /// Adds to forces[i] the mean force of the fluid on marker i over the last step, by the caller's index; only the
   /// components that this rank works on: their sum over the ranks is the force.
-  void add_forces(std::span<Vec3> forces) const;
+  void add_forces(std::span<Vec3> forces, MarkerGroup group = MarkerGroup::moving) const;
 
-  /// Root mean square of V - U at the markers, for a velocity whose ghosts are filled. Collective; 0 without markers.
+  /// Root mean square of V - U at all markers, for a velocity whose ghosts are filled. Collective; 0 without markers.
   double rms_slip(ConstView<FaceX> u, ConstView<FaceY> v, ConstView<FaceZ> w);
 
   /// Adds to velocities[i] the flow's velocity at marker i, by the caller's index, for a velocity whose ghosts are
   /// filled; only the components that this rank works on: their sum over the ranks, all others exact zeros, is the
   /// velocity.
-  void add_velocities(ConstView<FaceX> u, ConstView<FaceY> v, ConstView<FaceZ> w, std::span<Vec3> velocities);
+  void add_velocities(ConstView<FaceX> u, ConstView<FaceY> v, ConstView<FaceZ> w, std::span<Vec3> velocities,
+                      MarkerGroup group = MarkerGroup::moving);
 
-  const Markers& markers() const { return markers_; }
+  const Markers& markers(MarkerGroup group = MarkerGroup::moving) const { return set_of(group).markers; }
 
  private:
+  struct Set {
+    Markers markers;
+    MarkerVectors wanted, found, impulse;  // impulse: mean force on the fluid over the step
+  };
+  Set& set_of(MarkerGroup group) { return sets_[static_cast<std::size_t>(group)]; }
+  const Set& set_of(MarkerGroup group) const { return sets_[static_cast<std::size_t>(group)]; }
   void force_once(double weight, double dt_alpha, View<FaceX> u, View<FaceY> v, View<FaceZ> w);
+  void force_set(Set& set, double weight, double dt_alpha, View<FaceX> u, View<FaceY> v, View<FaceZ> w);
   void refill_ghosts(View<FaceX> u, View<FaceY> v, View<FaceZ> w);
 
-  Markers markers_;
+  Grid grid_;
+  std::array<Set, 2> sets_;
   ForceFields fields_;
   SlabHalo halo_;
   double density_;
   int iterations_;
-  MarkerVectors wanted_, found_, impulse_;  // impulse: mean force on the fluid over the step
 };
 
 }  // namespace pliant

@@ -23,6 +23,8 @@ void add_plane(View<Location> to, ConstView<Location> from, const PlaneRegion& r
   }
 }
 
+PlaneRegion nothing(const Grid& grid) { return {grid.nx() + 1, -1, grid.ny() + 1, -1}; }
+
 }  // namespace
 
 ForceFields::ForceFields(const Grid& grid)
@@ -31,20 +33,34 @@ ForceFields::ForceFields(const Grid& grid)
       y_(grid),
       z_(grid),
       halo_(grid.ranks(), grid.is_periodic(2) ? SlabHalo::Ends::periodic : SlabHalo::Ends::bounded, grid.nz()),
-      regions_(static_cast<std::size_t>(grid.nz()) + 2) {}
+      regions_(static_cast<std::size_t>(grid.nz()) + 2),
+      always_(static_cast<std::size_t>(grid.nz()) + 2, nothing(grid)) {}
 
 void ForceFields::reach(const Markers& markers) {
   clear();
-  std::fill(regions_.begin(), regions_.end(), PlaneRegion{grid_.nx() + 1, -1, grid_.ny() + 1, -1});
-  markers.for_each_block([&](const StencilBlock& block) {
-    for (int b = 0; b < block.n_batches; ++b)
-      for (int l = 0; l < markers.count(block.first_batch + b); ++l)
-        reach(block.stencils[static_cast<std::size_t>(b)].first, l);
-  });
+  regions_ = always_;
+  include(markers);
   widen();
 }
 
-void ForceFields::reach(const int (&first)[n_stencil_lines][mls_batch], int l) {
+void ForceFields::reach_always(const Markers& markers) {
+  clear();
+  std::fill(regions_.begin(), regions_.end(), nothing(grid_));
+  include(markers);
+  // Until reach() is called nothing is left behind in the fields.
+  always_.swap(regions_);
+  regions_ = always_;
+}
+
+void ForceFields::include(const Markers& markers) {
+  markers.for_each_block([&](const StencilBlock& block) {
+    for (int b = 0; b < block.n_batches; ++b)
+      for (int l = 0; l < markers.count(block.first_batch + b); ++l)
+        include(block.stencils[static_cast<std::size_t>(b)].first, l);
+  });
+}
+
+void ForceFields::include(const int (&first)[n_stencil_lines][mls_batch], int l) {
   const auto [i, i_last] = std::minmax(first[x_center][l], first[x_face][l]);
   const auto [j, j_last] = std::minmax(first[y_center][l], first[y_face][l]);
   for (const StencilLine line : {z_center, z_face})

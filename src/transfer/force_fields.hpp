@@ -17,8 +17,10 @@ class ForceFields {
   View<FaceY> y() { return y_.view(); }
   View<FaceZ> z() { return z_.view(); }
 
-  /// Empties the fields and makes room for what these markers spread.
+  /// Empties the fields and makes room for what these markers spread, besides those that are always there.
   void reach(const Markers& markers);
+  /// Markers that stay; a call of reach() must follow.
+  void reach_always(const Markers& markers);
   /// Sets all forces to zero.
   void clear();
   /// Brings what was spread into ghosts to the nodes they are copies of: periodic sides, then other ranks. Collective.
@@ -30,7 +32,8 @@ class ForceFields {
  private:
   PlaneRegion& region(int k) { return regions_[static_cast<std::size_t>(k + 1)]; }
   const PlaneRegion& region(int k) const { return regions_[static_cast<std::size_t>(k + 1)]; }
-  void reach(const int (&first)[n_stencil_lines][mls_batch], int lane);
+  void include(const Markers& markers);
+  void include(const int (&first)[n_stencil_lines][mls_batch], int lane);
   void widen();
 
   Grid grid_;
@@ -39,6 +42,7 @@ class ForceFields {
   Field<FaceZ> z_;
   SlabHalo halo_;
   std::vector<PlaneRegion> regions_;  // of planes -1 .. nz
+  std::vector<PlaneRegion> always_;   // the part of the markers that stay
 };
 
 }  // namespace pliant
