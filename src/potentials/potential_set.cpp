@@ -2,8 +2,14 @@
 
 namespace pliant {
 
+void PotentialSet::add(Potential potential) {
+  auto grown = *potentials_;
+  grown.push_back(std::move(potential));
+  potentials_ = std::make_shared<const std::vector<Potential>>(std::move(grown));
+}
+
 void PotentialSet::add_forces(const ShapeState& shape, std::span<Vec3> forces) const {
-  for (const Potential& potential : potentials_)
+  for (const Potential& potential : *potentials_)
     std::visit([&](const auto& p) { p.add_forces(shape, forces); }, potential);
 }
 
@@ -11,7 +17,7 @@ std::vector<std::pair<std::string, double>> PotentialSet::energies(const Triangl
                                                                    std::span<const Vec3> positions) const {
   const ShapeState shape(mesh, positions);
   std::vector<std::pair<std::string, double>> result;
-  for (const Potential& potential : potentials_)
+  for (const Potential& potential : *potentials_)
     std::visit([&](const auto& p) { result.emplace_back(p.name, p.energy(shape)); }, potential);
   return result;
 }

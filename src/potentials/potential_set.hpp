@@ -1,4 +1,5 @@
 #pragma once
+#include <memory>
 #include <span>
 #include <string>
 #include <utility>
@@ -17,12 +18,12 @@ namespace pliant {
 /// here.
 using Potential = std::variant<EdgeSprings, Bending, VolumePenalty, FaceAreaPenalty, TotalAreaPenalty, SurfaceTension>;
 
-/// The potentials of one body. Sums run in a fixed order: equal positions give equal bits.
+/// The potentials of one body; copies share them. Sums run in a fixed order: equal positions give equal bits.
 class PotentialSet {
  public:
-  void add(Potential potential) { potentials_.push_back(std::move(potential)); }
-  bool empty() const { return potentials_.empty(); }
-  std::span<const Potential> potentials() const { return potentials_; }
+  void add(Potential potential);
+  bool empty() const { return potentials_->empty(); }
+  std::span<const Potential> potentials() const { return *potentials_; }
 
   /// Adds the forces of all potentials at the shape's positions to `forces`, n_vertices of them.
   void add_forces(const ShapeState& shape, std::span<Vec3> forces) const;
@@ -31,7 +32,7 @@ class PotentialSet {
   double energy(const TriangleMesh& mesh, std::span<const Vec3> positions) const;
 
  private:
-  std::vector<Potential> potentials_;
+  std::shared_ptr<const std::vector<Potential>> potentials_ = std::make_shared<const std::vector<Potential>>();
 };
 
 }  // namespace pliant
