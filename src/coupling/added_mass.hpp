@@ -1,0 +1,19 @@
+#pragma once
+#include <string>
+
+#include "coupling/body.hpp"
+
+namespace pliant {
+
+/// Fluid that a rigid or hinged body moves along, over the body's own mass (rigid) or inertia (hinge). Estimates: half
+/// of the displaced fluid for closed bodies; for open ones the fluid of a ball's slice, rho A sqrt(A) / 2.
+double added_mass_ratio(const BodyKind& kind, double fluid_density);
+
+/// Above this ratio "auto" couples strongly. Loose coupling answers an acceleration one step late and multiplies it by
+/// -(ratio - virtual) / (1 + virtual): it fails from 1 on, and needs some room.
+inline constexpr double largest_loose_ratio = 0.7;
+
+/// The coupling of a body, "auto" resolved; `reason` says why in a sentence.
+CouplingKind choose_coupling(const BodyKind& kind, std::string& reason);
+
+}  // namespace pliant

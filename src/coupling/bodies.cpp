@@ -1,0 +1,149 @@
+#include "coupling/bodies.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/error.hpp"
+#include "coupling/body_stream.hpp"
+#include "coupling/make_body_kind.hpp"
+#include "mesh/geometry.hpp"
+#include "parallel/agree.hpp"
+#include "parallel/sparse_exchange.hpp"
+
+namespace pliant {
+
+Bodies::Bodies(const CaseConfig& config, const Grid& grid) : grid_(grid), first_id_(1, 0) {
+  std::vector<std::string> problems;
+  for (std::size_t k = 0; k < config.bodies.size(); ++k) {
+    try {
+      kinds_.push_back(make_body_kind(config, k, grid));
+    } catch (const InputError& error) {
+      problems.insert(problems.end(), error.problems().begin(), error.problems().end());
+    }
+  }
+  if (!problems.empty()) throw InputError(std::move(problems));
+  for (std::size_t k = 0; k < kinds_.size(); ++k) {
+    const long copies = 1;
+    for (long c = 0; c < copies; ++c) {
+      Body body = make_copy(k, c);
+      body.id = first_id_.back() + c;
+      if (home_of(body) == grid.ranks().rank()) bodies_.push_back(std::move(body));
+    }
+    first_id_.push_back(first_id_.back() + copies);
+  }
+}
+
+Body Bodies::make_copy(std::size_t k, long) const {
+  constexpr double radian = std::numbers::pi / 180;
+  const BodyKind& kind = kinds_[k];
+  const auto& config = kind.config;
+  Body body;
+  body.kind = k;
+  body.surface = kind.prototype;
+  body.start = config.center + kind.centroid;
+  body.pose.center = body.start;
+  body.pose.orientation = body.start_orientation;
+  if (config.motion == MotionKind::rigid) {
+    body.pose.velocity = config.rigid.velocity;
+    body.pose.angular_velocity = config.rigid.angular_velocity;
+  }
+  if (config.motion == MotionKind::hinge) {
+    body.hinge = {radian * config.hinge.angle, radian * config.hinge.rate};
+    body.pose = pose_of(kind.hinge, body.hinge, body.start);
+  }
+  if (config.motion == MotionKind::prescribed) body.pose = kind.path.state_at(0, body.start);
+  if (kind.has_pose()) {
+    follow_pose(body, kind);
+  } else {
+    for (Vec3& x : body.surface.positions) x += config.center;
+  }
+  body.surface.reference = body.surface.positions;
+  body.told = body.told_before = body.pose;
+  return body;
+}
+
+int Bodies::home_of(const Body& body) const {
+  const double lower = grid_.origin().z, height = grid_.size().z;
+  double z = mean_position(body.surface.positions).z;
+  if (grid_.is_periodic(2)) z -= height * std::floor((z - lower) / height);
+  return rank_of_plane(grid_.cells()[2], grid_.ranks().size(), grid_.plane_of_height(z));
+}
+
+const Body* Bodies::find(long id) const {
+  const auto found =
+      std::lower_bound(bodies_.begin(), bodies_.end(), id, [](const Body& b, long wanted) { return b.id < wanted; });
+  return found != bodies_.end() && found->id == id ? &*found : nullptr;
+}
+
+void Bodies::migrate() {
+  if (grid_.ranks().size() == 1 || count() == 0) return;
+  std::vector<std::vector<std::byte>> outgoing(static_cast<std::size_t>(grid_.ranks().size()));
+  std::vector<ByteWriter> writers(outgoing.size());
+  std::erase_if(bodies_, [&](const Body& body) {
+    const int home = home_of(body);
+    if (home == grid_.ranks().rank()) return false;
+    auto& writer = writers[static_cast<std::size_t>(home)];
+    writer.write(body.id);
+    write_body(body, kind_of(body), writer);
+    return true;
+  });
+  for (std::size_t r = 0; r < writers.size(); ++r) outgoing[r] = writers[r].take();
+  for (const auto& bytes : exchange_bytes(grid_.ranks(), outgoing)) {
+    ByteReader reader(bytes);
+    while (reader.remaining() > 0) {
+      const auto id = reader.read<long>();
+      bodies_.push_back(read(id, reader));
+    }
+  }
+  sort_and_count();
+}
+
+void Bodies::sort_and_count() {
+  std::sort(bodies_.begin(), bodies_.end(), [](const Body& a, const Body& b) { return a.id < b.id; });
+  const long present = grid_.ranks().sum(static_cast<long>(bodies_.size()));
+  if (present != count())
+    throw CollectiveError(fmt::format("{} of {} bodies are left: bodies were lost between ranks", present, count()));
+}
+
+Body Bodies::read(long id, ByteReader& reader) const {
+  const auto after = std::upper_bound(first_id_.begin(), first_id_.end(), id);
+  if (id < 0 || after == first_id_.end()) throw ByteStreamError(fmt::format("there is no body number {}", id));
+  const auto kind = static_cast<std::size_t>(after - first_id_.begin()) - 1;
+  Body body = make_copy(kind, id - first_id_[kind]);
+  body.id = id;
+  read_body(reader, kinds_[kind], body);
+  return body;
+}
+
+std::vector<BodyBlob> Bodies::save() const {
+  std::vector<BodyBlob> saved;
+  for (const Body& body : bodies_) {
+    ByteWriter writer;
+    write_body(body, kind_of(body), writer);
+    saved.push_back({body.id, writer.take()});
+  }
+  return saved;
+}
+
+void Bodies::restore(const std::vector<BodyBlob>& saved) {
+  std::vector<Body> bodies;
+  std::string problem;
+  try {
+    for (const auto& blob : saved) {
+      ByteReader reader(blob.bytes);
+      bodies.push_back(read(blob.id, reader));
+      reader.expect_end();
+    }
+  } catch (const std::exception& error) {
+    problem = fmt::format("the saved bodies are not those of this case: {}", error.what());
+  }
+  agree(grid_.ranks(), problem);
+  bodies_ = std::move(bodies);
+  if (grid_.ranks().size() > 1) migrate();
+  else sort_and_count();
+}
+
+}  // namespace pliant

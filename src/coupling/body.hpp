@@ -1,0 +1,82 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "config/case_config.hpp"
+#include "loads/momentum_balance.hpp"
+#include "loads/probe_loads.hpp"
+#include "loads/slip.hpp"
+#include "structure/deformable_body.hpp"
+#include "structure/hinge.hpp"
+#include "structure/mass_properties.hpp"
+#include "structure/prescribed_motion.hpp"
+#include "structure/rigid_body.hpp"
+#include "transfer/marker_refinement.hpp"
+
+namespace pliant {
+
+/// What all copies of one [[body]] share; does not change during a run.
+struct BodyKind {
+  BodyConfig config;
+  CouplingKind coupling = CouplingKind::one_way;  ///< chosen, where the case says "auto"
+  double added_mass_ratio = 0;                    ///< of the fluid moved along over the body's own mass; rigid, hinge
+  DeformableBody prototype;                       ///< at rest with the surface's origin at 0
+  Vec3 centroid;                                  ///< of mass, or of the shape where there is no mass; in the prototype
+  std::vector<Vec3> reference;                    ///< vertices about the centroid
+  SolidMoments displaced;                         ///< of the enclosed volume about the centroid; volume 0: open
+  MarkerLayout layout;
+  ProbeSettings probes;
+  double mass = 0;        ///< of a rigid or hinged body
+  RigidModel rigid;       ///< motion = "rigid"
+  HingeModel hinge;       ///< motion = "hinge"
+  PrescribedMotion path;  ///< motion = "prescribed"
+
+  bool is_closed() const { return displaced.volume > 0; }
+  bool acts_on_flow() const { return coupling != CouplingKind::one_way; }
+  /// Its vertices follow a pose; else Newton's law, one by one.
+  bool has_pose() const { return config.motion != MotionKind::deformable; }
+  /// Its pose follows from loads.
+  bool is_free() const { return config.motion == MotionKind::rigid || config.motion == MotionKind::hinge; }
+};
+
+/// What the flow does to a body, torques about its centre, means or values of the last step.
+struct BodyLoads {
+  RigidLoad reaction;  ///< of the fluid on the markers: minus the forcing
+  RigidLoad balance;   ///< of the outer fluid, from the momentum balance
+  RigidLoad probes;    ///< from the stress at the probes; not a number while a probe is outside the box
+  RigidLoad contact;   ///< repulsion
+};
+
+/// Signs of an instability of loose coupling: accelerations that change sign and grow.
+struct SwingCount {
+  double last_size = 0;
+  Vec3 last_direction;
+  int swings = 0;
+};
+
+/// One body of a run, held by the rank that computes it.
+struct Body {
+  long id = 0;           ///< of the whole run: the order of the case file, copies one after the other
+  std::size_t kind = 0;  ///< its [[body]]
+  DeformableBody surface;
+  Vec3 start;  ///< pose.center at angle 0 and no displacement
+  Quaternion start_orientation;
+  RigidState pose;
+  RigidAcceleration acceleration;
+  HingeState hinge;
+  double hinge_acceleration = 0;
+  RigidState told, told_before;  ///< pose and motion that the flow was last told, and in the step before
+  BodyLoads loads;
+  std::vector<double> scheme;  ///< what the strong scheme remembers from step to step
+  SwingCount swing;
+  Slip slip;            ///< found with the diagnostics
+  ProbeLoads stresses;  ///< the same
+  SurfaceSites sites;   ///< where the stresses are
+
+  const std::string& name() const { return surface.name; }
+};
+
+/// Puts vertices and their velocities where the pose says.
+void follow_pose(Body& body, const BodyKind& kind);
+
+}  // namespace pliant

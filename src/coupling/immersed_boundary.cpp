@@ -1,0 +1,171 @@
+#include "coupling/immersed_boundary.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/LU>
+
+#include "core/error.hpp"
+#include "parallel/agree.hpp"
+
+namespace pliant {
+namespace {
+
+template <class T>
+void append(std::vector<T>& to, const std::vector<T>& from) {
+  to.insert(to.end(), from.begin(), from.end());
+}
+
+template <class T>
+std::span<const T> part(const std::vector<T>& all, std::size_t begin, std::size_t end) {
+  return std::span(all).subspan(begin, end - begin);
+}
+
+bool belongs(const BodyKind& kind, MarkerGroup group) {
+  return kind.acts_on_flow() && (kind.config.motion == MotionKind::fixed) == (group == MarkerGroup::fixed);
+}
+
+/// Mean velocity and rotation of markers, weighted by area: exact if they move as a rigid body.
+RigidState rigid_fit(std::span<const Vec3> positions, std::span<const Vec3> velocities, std::span<const double> areas,
+                     Vec3 center) {
+  double area = 0;
+  Vec3 mean_x, mean_u;
+  for (std::size_t m = 0; m < positions.size(); ++m) {
+    area += areas[m];
+    mean_x += areas[m] * positions[m];
+    mean_u += areas[m] * velocities[m];
+  }
+  mean_x = mean_x / area;
+  mean_u = mean_u / area;
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
+  Vec3 momentum;
+  for (std::size_t m = 0; m < positions.size(); ++m) {
+    const Vec3 r = positions[m] - mean_x;
+    const Eigen::Vector3d e(r.x, r.y, r.z);
+    inertia += areas[m] * (e.squaredNorm() * Eigen::Matrix3d::Identity() - e * e.transpose());
+    momentum += areas[m] * cross(r, velocities[m] - mean_u);
+  }
+  const Eigen::Vector3d omega = inertia.fullPivLu().solve(Eigen::Vector3d(momentum.x, momentum.y, momentum.z));
+  RigidState fit;
+  fit.angular_velocity = {omega[0], omega[1], omega[2]};
+  fit.velocity = mean_u + cross(fit.angular_velocity, center - mean_x);
+  return fit;
+}
+
+}  // namespace
+
+ImmersedBoundary::ImmersedBoundary(const Grid& grid, const CaseConfig& config)
+    : grid_(grid),
+      density_(config.fluid.density),
+      forcing_(grid, config.fluid.density, config.immersed_boundary.forcing_iterations),
+      groups_{Group(grid), Group(grid)} {}
+
+void ImmersedBoundary::gather(Bodies& bodies, MarkerGroup which, Group& group) const {
+  group.parts.clear();
+  group.markers = {};
+  MarkerSet of_body;
+  const auto own = bodies.own();
+  for (std::size_t b = 0; b < own.size(); ++b) {
+    Body& body = own[b];
+    const auto& kind = bodies.kind_of(body);
+    if (!belongs(kind, which)) continue;
+    kind.layout.place(body.surface.positions, body.surface.velocities, of_body);
+    const std::size_t begin = group.markers.areas.size();
+    append(group.markers.positions, of_body.positions);
+    append(group.markers.velocities, of_body.velocities);
+    append(group.markers.normals, of_body.normals);
+    append(group.markers.areas, of_body.areas);
+    group.parts.push_back({b, begin, group.markers.areas.size()});
+    body.told = body.pose;
+  }
+}
+
+std::string ImmersedBoundary::find_outside(const Bodies& bodies, const Group& group) const {
+  for (const Part& p : group.parts) {
+    const Body& body = bodies.own()[p.body];
+    const auto vertex = group.router.first_outside(body.surface.positions);
+    if (vertex == body.surface.positions.size()) continue;
+    const Vec3 x = body.surface.positions[vertex];
+    return fmt::format(
+        "body '{}' has left the box: its vertex {} is at ({:.6g}, {:.6g}, {:.6g}); use a larger box, a repulsion from "
+        "the walls (repulsion.range), or, if it was thrown out, a smaller step or coupling = \"strong\"",
+        body.name(), vertex, x.x, x.y, x.z);
+  }
+  return {};
+}
+
+void ImmersedBoundary::place(Bodies& bodies, MarkerGroup which) {
+  auto& group = group_of(which);
+  gather(bodies, which, group);
+  agree(grid_.ranks(), find_outside(bodies, group));
+  group.router.route(group.markers.positions);
+  std::vector<Vec3> velocities;
+  std::vector<double> areas;
+  group.router.send(group.markers.velocities, velocities);
+  group.router.send(group.markers.areas, areas);
+  forcing_.place(group.router.held(), areas, velocities, which);
+}
+
+PredictedFlowHook ImmersedBoundary::hook() {
+  return [this](const Substep& substep, double dt, View<FaceX> u, View<FaceY> v, View<FaceZ> w) {
+    forcing_.apply(substep, dt, u, v, w);
+  };
+}
+
+void ImmersedBoundary::find_reactions(Bodies& bodies, MarkerGroup which, double step, Vec3 driving) {
+  auto& group = group_of(which);
+  std::vector<Vec3> held(group.router.held().size()), forces(group.markers.areas.size());
+  forcing_.add_forces(held, which);
+  group.router.collect(held, forces);
+  for (const Part& p : group.parts) {
+    Body& body = bodies.own()[p.body];
+    const auto& kind = bodies.kind_of(body);
+    auto& loads = body.loads;
+    loads.reaction =
+        total_load(part(group.markers.positions, p.begin, p.end), part(forces, p.begin, p.end), body.told.center);
+    loads.balance = loads.reaction;
+    if (!kind.is_closed()) continue;
+    const double per_step = 1 / step;
+    const InnerMotion motion{per_step * (body.told.velocity - body.told_before.velocity),
+                             per_step * (body.told.angular_velocity - body.told_before.angular_velocity),
+                             0.5 * (body.told.angular_velocity + body.told_before.angular_velocity)};
+    const InnerFluid inner{density_, enclosed_moments(body.surface.mesh, body.surface.positions), driving};
+    loads.balance = momentum_balance(loads.reaction, inner, motion, body.told.center);
+  }
+}
+
+std::vector<Vec3> ImmersedBoundary::flow_at_markers(const FlowState& flow, MarkerGroup which) {
+  auto& group = group_of(which);
+  std::vector<Vec3> held(group.router.held().size()), velocities(group.markers.areas.size());
+  forcing_.add_velocities(flow.u.view(), flow.v.view(), flow.w.view(), held, which);
+  group.router.collect(held, velocities);
+  return velocities;
+}
+
+void ImmersedBoundary::measure_slip(Bodies& bodies, const FlowState& flow) {
+  for (const MarkerGroup which : {MarkerGroup::fixed, MarkerGroup::moving}) {
+    const auto velocities = flow_at_markers(flow, which);
+    const auto& group = group_of(which);
+    for (const Part& p : group.parts)
+      bodies.own()[p.body].slip = pliant::measure_slip(
+          part(velocities, p.begin, p.end), part(group.markers.velocities, p.begin, p.end),
+          part(group.markers.normals, p.begin, p.end), part(group.markers.areas, p.begin, p.end));
+  }
+}
+
+void ImmersedBoundary::adopt_inner_motion(Bodies& bodies, const FlowState& flow) {
+  for (const MarkerGroup which : {MarkerGroup::fixed, MarkerGroup::moving}) {
+    const auto velocities = flow_at_markers(flow, which);
+    const auto& group = group_of(which);
+    for (const Part& p : group.parts) {
+      Body& body = bodies.own()[p.body];
+      const RigidState inside =
+          rigid_fit(part(group.markers.positions, p.begin, p.end), part(velocities, p.begin, p.end),
+                    part(group.markers.areas, p.begin, p.end), body.pose.center);
+      body.told_before = body.pose;
+      body.told_before.velocity = inside.velocity;
+      body.told_before.angular_velocity = inside.angular_velocity;
+    }
+  }
+}
+
+}  // namespace pliant

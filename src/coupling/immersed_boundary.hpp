@@ -1,0 +1,56 @@
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "coupling/bodies.hpp"
+#include "transfer/direct_forcing.hpp"
+#include "transfer/point_router.hpp"
+
+namespace pliant {
+
+/// The bodies as the flow sees them: markers that it has to follow, and the forces that this takes.
+class ImmersedBoundary {
+ public:
+  /// Throws InputError if the box is too small for markers.
+  ImmersedBoundary(const Grid& grid, const CaseConfig& config);
+
+  /// Places the markers of fixed bodies, once a run, or of all others that act on the flow, where they are now, and
+  /// remembers what the flow is told. Collective. Throws CollectiveError that names a body outside the box.
+  void place(Bodies& bodies, MarkerGroup group);
+  /// Gives every body that acts on the flow the motion that the fluid inside it has now, as what the flow was told
+  /// before: the start of a run. Collective.
+  void adopt_inner_motion(Bodies& bodies, const FlowState& flow);
+
+  /// For FlowSolver::advance.
+  PredictedFlowHook hook();
+
+  /// Sets loads.reaction and loads.balance of the group's bodies from the forcing of the last step. `driving`: the
+  /// uniform acceleration that acted on the fluid. Collective.
+  void find_reactions(Bodies& bodies, MarkerGroup group, double step, Vec3 driving);
+  /// Sets the slip of all bodies that act on the flow. Collective.
+  void measure_slip(Bodies& bodies, const FlowState& flow);
+
+ private:
+  struct Part {
+    std::size_t body = 0;  // index among the rank's own bodies
+    std::size_t begin = 0, end = 0;
+  };
+  struct Group {
+    explicit Group(const Grid& grid) : router(grid) {}
+    PointRouter router;
+    std::vector<Part> parts;
+    MarkerSet markers;  // of this rank's bodies, one after the other
+  };
+  Group& group_of(MarkerGroup group) { return groups_[static_cast<std::size_t>(group)]; }
+  void gather(Bodies& bodies, MarkerGroup which, Group& group) const;
+  std::string find_outside(const Bodies& bodies, const Group& group) const;
+  std::vector<Vec3> flow_at_markers(const FlowState& flow, MarkerGroup which);
+
+  Grid grid_;
+  double density_;
+  DirectForcing forcing_;
+  std::array<Group, 2> groups_;
+};
+
+}  // namespace pliant

@@ -1,0 +1,133 @@
+#include "coupling/make_body_kind.hpp"
+
+#include <fmt/format.h>
+
+#include <numbers>
+
+#include "config/validate.hpp"
+#include "core/error.hpp"
+#include "coupling/added_mass.hpp"
+#include "mesh/geometry.hpp"
+#include "structure/make_body.hpp"
+
+namespace pliant {
+namespace {
+
+constexpr double radian = std::numbers::pi / 180;
+
+double mean_spacing(const Grid& grid) { return (grid.dx() + grid.dy() + grid.size().z / grid.cells()[2]) / 3; }
+
+std::string place_of(const CaseConfig& config, const BodyKind& kind) {
+  return place_of(config, "body." + kind.config.name);
+}
+
+Mat3 diagonal(Vec3 d) { return {{{d.x, 0, 0}, {0, d.y, 0}, {0, 0, d.z}}}; }
+
+Mat3 scaled(const Mat3& m, double factor) { return {{factor * m[0], factor * m[1], factor * m[2]}}; }
+
+/// Mass, centre of mass and inertia of what the body is made of.
+MassProperties material_of(const BodyKind& kind, const CaseConfig& config) {
+  const auto& material = kind.config.material;
+  const auto& body = kind.prototype;
+  const double density = material.density.value_or(config.fluid.density);
+  if (!body.mesh.is_closed() && material.thickness == 0)
+    throw InputError(place_of(config, kind) +
+                     " is an open surface, which has no volume: give the thickness of its wall, or surface.file a "
+                     "closed mesh");
+  auto properties = material.thickness > 0
+                        ? shell_mass_properties(body.mesh, body.positions, density, material.thickness)
+                        : solid_mass_properties(body.mesh, body.positions, density);
+  if (material.mass) {
+    properties.inertia = scaled(properties.inertia, *material.mass / properties.mass);
+    properties.mass = *material.mass;
+  }
+  if (material.inertia) properties.inertia = diagonal(*material.inertia);
+  return properties;
+}
+
+Freedom freedom_of(const RigidConfig& rigid) {
+  Freedom freedom;
+  for (int d = 0; d < 3; ++d) {
+    const auto at = static_cast<std::size_t>(d);
+    freedom.translation[at] = rigid.free_translation[d] != 0 ? AxisMotion::free : AxisMotion::locked;
+    freedom.rotation[at] = rigid.free_rotation[d] != 0 ? AxisMotion::free : AxisMotion::locked;
+  }
+  return freedom;
+}
+
+void set_rigid(BodyKind& kind, const MassProperties& material, const CaseConfig& config) {
+  const auto& rigid = kind.config.rigid;
+  const double share = rigid.virtual_mass * config.fluid.density;
+  const auto& second = kind.displaced.second;
+  kind.rigid.mass = material.mass;
+  kind.rigid.inertia = material.inertia;
+  kind.rigid.virtual_mass = share * kind.displaced.volume;
+  // Isotropic: the mean moment of the displaced fluid.
+  kind.rigid.virtual_inertia = share * 2.0 / 3.0 * (second[0].x + second[1].y + second[2].z);
+  kind.rigid.freedom = freedom_of(rigid);
+}
+
+void set_hinge(BodyKind& kind, const MassProperties& material) {
+  const auto& hinge = kind.config.hinge;
+  auto& model = kind.hinge;
+  model.point = hinge.point;
+  model.axis = normalized(hinge.axis);
+  // The material's place is that of the prototype, the hinge's that of the box.
+  model.inertia = hinge.inertia.value_or(inertia_about(material, hinge.point - kind.config.center, hinge.axis));
+  if (hinge.min_angle) model.min_angle = radian * *hinge.min_angle;
+  if (hinge.max_angle) model.max_angle = radian * *hinge.max_angle;
+  model.restitution = hinge.restitution;
+  model.damping = hinge.damping;
+  model.stiffness = hinge.stiffness;
+  model.rest_angle = radian * hinge.rest_angle;
+  model.virtual_inertia = hinge.virtual_inertia;
+}
+
+ProbeForm probe_form(TractionForm form) {
+  return form == TractionForm::gradient ? ProbeForm::gradient : ProbeForm::one_sided;
+}
+
+void set_shape(BodyKind& kind, const Grid& grid) {
+  const auto& body = kind.prototype;
+  const bool closed = body.mesh.is_closed();
+  if (closed) kind.displaced = enclosed_moments(body.mesh, body.positions);
+  kind.reference = body.positions;
+  for (Vec3& x : kind.reference) x -= kind.centroid;
+  if (closed) kind.displaced.centroid -= kind.centroid;
+  kind.layout = kind.config.marker_refinement > 0
+                    ? MarkerLayout(body.mesh, kind.config.marker_refinement)
+                    : MarkerLayout(body.mesh, refinement_for(body.mesh, body.positions, mean_spacing(grid)));
+}
+
+}  // namespace
+
+BodyKind make_body_kind(const CaseConfig& config, std::size_t index, const Grid& grid) {
+  BodyKind kind;
+  kind.config = config.bodies[index];
+  auto at_origin = kind.config;
+  at_origin.center = {};
+  kind.prototype = make_body(at_origin, {config.folder, mean_spacing(grid)});
+  auto& body = kind.prototype;
+  const bool closed = body.mesh.is_closed();
+  MassProperties material;
+  if (kind.is_free()) {
+    material = material_of(kind, config);
+    kind.centroid = material.centroid;
+    kind.mass = material.mass;
+  } else if (closed) {
+    kind.centroid = enclosed_moments(body.mesh, body.positions).centroid;
+  } else {
+    kind.centroid = shell_mass_properties(body.mesh, body.positions, 1.0, 1.0).centroid;
+  }
+  set_shape(kind, grid);
+  if (kind.config.motion == MotionKind::rigid) set_rigid(kind, material, config);
+  if (kind.config.motion == MotionKind::hinge) set_hinge(kind, material);
+  kind.probes = {probe_form(body.traction.form), closed ? Wetting::outside : Wetting::both_sides,
+                 body.traction.probe_length, config.fluid.density, config.fluid.viscosity, {}};
+  kind.added_mass_ratio = added_mass_ratio(kind, config.fluid.density);
+  std::string reason;
+  kind.coupling = choose_coupling(kind, reason);
+  return kind;
+}
+
+}  // namespace pliant
