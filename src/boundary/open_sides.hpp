@@ -4,6 +4,7 @@
 
 #include "boundary/side_rules.hpp"
 #include "field/field.hpp"
+#include "field/row_table.hpp"
 
 namespace pliant {
 
@@ -44,6 +45,23 @@ class OpenSides {
 
   /// Net flux out of the box after the last start or advance, as summed over the faces. Collective.
   double net_outward_flux() const;
+
+  /// All that an advance needs of those before it, in memory. Copies of one object fit each other.
+  struct Snapshot {
+    std::vector<double> values;         ///< of all sides and components, behind each other
+    std::vector<double> mean_outwards;  ///< a side each
+  };
+  void save(Snapshot& snapshot) const;
+  void restore(const Snapshot& snapshot);
+
+  /// The same for a file: a table for each component of each open side, without the edges, and the mean velocities.
+  std::vector<RowTable> tables() const;
+  /// Copies table `t` of tables(), this rank's rows of it, out of this object or into it.
+  void save_table(std::size_t t, double* values) const;
+  void load_table(std::size_t t, const double* values);
+  std::vector<double> mean_outwards() const;
+  /// After all tables are loaded: the values beyond the edges, and the mean velocities as mean_outwards() gave them.
+  void finish_loading(const std::vector<double>& means);
 
  private:
   struct Side {

@@ -222,6 +222,12 @@ struct OutputConfig {
   SeriesConfig surfaces;
 };
 
+struct CheckpointConfig {
+  std::optional<long> every;      ///< in steps
+  std::optional<double> minutes;  ///< of wall-clock time; neither: only when the run stops
+  int keep = 2;                   ///< the newest that stay; 0: none are written
+};
+
 struct CaseConfig {
   std::string title = "untitled";
   std::filesystem::path folder;  ///< of the case file; relative paths start here
@@ -238,6 +244,7 @@ struct CaseConfig {
   RepulsionConfig repulsion;
   std::vector<BodyConfig> bodies;
   OutputConfig output;
+  CheckpointConfig checkpoint;
 };
 
 }  // namespace pliant

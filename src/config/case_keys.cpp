@@ -218,6 +218,18 @@ void add_output(std::vector<CaseKey>& keys) {
   add_series(
       keys, "surfaces", "outputs of the bodies' surfaces", [](auto& c) -> auto& { return c.output.surfaces; });
 }
+
+void add_checkpoint(std::vector<CaseKey>& keys) {
+  keys.push_back(make_key<CaseConfig>(
+      {"checkpoint.every", "steps", "steps between two checkpoints, beside those that are written as a run stops"},
+      [](auto& c) { return &c.checkpoint.every; }, at_least(1)));
+  keys.push_back(make_key<CaseConfig>(
+      {"checkpoint.minutes", "", "minutes of wall-clock time between two checkpoints"},
+      [](auto& c) { return &c.checkpoint.minutes; }, positive()));
+  keys.push_back(make_key<CaseConfig>(
+      {"checkpoint.keep", "", "the newest checkpoints that stay; 0: none are written, not even as the run stops"},
+      [](auto& c) { return &c.checkpoint.keep; }, between(0, 1000)));
+}
 }  // namespace
 
 std::array<std::string, 6> side_names() { return {"x-", "x+", "y-", "y+", "z-", "z+"}; }
@@ -239,6 +251,7 @@ std::vector<Key<CaseConfig>> case_keys() {
   add_time(keys);
   add_interaction_keys(keys);
   add_output(keys);
+  add_checkpoint(keys);
   return keys;
 }
 

@@ -48,8 +48,9 @@ class ByteWriter {
  private:
   void append(const void* data, std::size_t size) {
     if (size == 0) return;
-    const auto* begin = static_cast<const std::byte*>(data);
-    bytes_.insert(bytes_.end(), begin, begin + size);
+    const std::size_t end = bytes_.size();
+    bytes_.resize(end + size);
+    std::memcpy(bytes_.data() + end, data, size);
   }
   std::vector<std::byte> bytes_;
 };

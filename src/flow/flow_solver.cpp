@@ -7,6 +7,7 @@
 
 #include "boundary/fill_ghosts.hpp"
 #include "boundary/open_sides.hpp"
+#include "flow/flow_record.hpp"
 #include "flow/helmholtz_adi.hpp"
 #include "flow/momentum.hpp"
 #include "flow/projection.hpp"
@@ -73,6 +74,7 @@ struct FlowSolver::Impl {
   void project(double dt_alpha, double lap_weight);
   void fill_state_ghosts();
   void fill_velocity_end_planes();
+  FlowRecord record() { return {grid, state, open, time, forcing_of_step}; }
 
   template <class Location>
   void fill_in_plane(Field<Location>& f, const FieldRules& r, int k) {
@@ -270,6 +272,17 @@ bool FlowSolver::has_open_sides() const { return impl_->open.any(); }
 double FlowSolver::net_outward_flux() const { return impl_->open.net_outward_flux(); }
 double FlowSolver::bulk_forcing() const { return impl_->forcing_of_step; }
 void FlowSolver::fill_ghosts() { impl_->fill_state_ghosts(); }
+
+void FlowSolver::save_state(Snapshot& snapshot) const { impl_->record().save(snapshot); }
+void FlowSolver::restore_state(const Snapshot& snapshot) { impl_->record().restore(snapshot); }
+std::vector<RowTable> FlowSolver::state_tables() const { return impl_->record().tables(); }
+void FlowSolver::save_table(std::size_t t, std::span<double> values) const { impl_->record().save_table(t, values); }
+void FlowSolver::load_table(std::size_t t, std::span<const double> values) { impl_->record().load_table(t, values); }
+std::vector<std::byte> FlowSolver::state_numbers() const { return impl_->record().numbers(); }
+void FlowSolver::finish_loading(std::span<const std::byte> numbers) {
+  impl_->record().finish_loading(numbers);
+  impl_->fill_state_ghosts();
+}
 
 void FlowSolver::project_initial() {
   auto& m = *impl_;

@@ -1,10 +1,15 @@
 #pragma once
+#include <cstddef>
 #include <functional>
 #include <memory>
+#include <span>
+#include <vector>
 
+#include "boundary/open_sides.hpp"
 #include "config/case_config.hpp"
 #include "core/timer.hpp"
 #include "field/field.hpp"
+#include "field/row_table.hpp"
 
 namespace pliant {
 
@@ -15,6 +20,13 @@ struct FlowState {
   Field<FaceY> v;
   Field<FaceZ> w;
   Field<Center> p;  ///< pressure over density
+};
+
+/// What FlowSolver::save_state keeps: four fields with their ghosts, and what open sides remember.
+struct FlowSnapshot {
+  std::vector<double> u, v, w, p;
+  OpenSides::Snapshot open;
+  double time = 0, forcing = 0;
 };
 
 /// The coefficients of one Runge-Kutta substep (numerics.md, section 1).
@@ -79,6 +91,24 @@ class FlowSolver {
   Vec3 bulk_velocity() const;
   /// The acceleration that the constant-mass-flux forcing applied in the last step; 0 if there is none.
   double bulk_forcing() const;
+
+  /// All that a step needs of the steps before it, in memory: fields with their ghosts, open sides, time, forcing.
+  using Snapshot = FlowSnapshot;
+  /// A snapshot may be used again and again; only the first time allocates. Not collective.
+  void save_state(Snapshot& snapshot) const;
+  /// Takes this solver back, bit for bit, to where it was when the snapshot was made. Not collective.
+  void restore_state(const Snapshot& snapshot);
+
+  /// The same for a file that any number of ranks may read: tables that are shared out by rows, and a few numbers that
+  /// are the same on all ranks.
+  std::vector<RowTable> state_tables() const;
+  /// Copies table `t` of state_tables(), this rank's rows of it, out of the state or into it.
+  void save_table(std::size_t t, std::span<double> values) const;
+  void load_table(std::size_t t, std::span<const double> values);
+  std::vector<std::byte> state_numbers() const;
+  /// After all tables are loaded: takes the numbers, as state_numbers() gave them, and fills the ghosts. Collective.
+  /// Throws ByteStreamError if they are of another kind of flow.
+  void finish_loading(std::span<const std::byte> numbers);
 
   PhaseTimer& timer();
   std::size_t bytes() const;  ///< of this rank's arrays and tables

@@ -1,7 +1,11 @@
 #include "io/atomic_file.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include <cerrno>
+#include <cstring>
 #include <system_error>
 
 #include "core/error.hpp"
@@ -33,6 +37,15 @@ void rename_into_place(const std::filesystem::path& temporary, const std::filesy
   std::filesystem::rename(temporary, path, code);
   if (code)
     throw RunError(fmt::format("cannot rename {} to {}: {}", temporary.string(), path.string(), code.message()));
+}
+
+void bring_to_disk(const std::filesystem::path& path) {
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  // Some file systems know no such thing for folders.
+  const bool good = descriptor >= 0 && (::fsync(descriptor) == 0 || errno == EINVAL || errno == EROFS);
+  const int reason = errno;
+  if (descriptor >= 0) ::close(descriptor);
+  if (!good) throw RunError(fmt::format("cannot bring {} to the disk: {}", path.string(), std::strerror(reason)));
 }
 
 void remove_quietly(const std::filesystem::path& path) {

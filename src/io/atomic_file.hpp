@@ -15,6 +15,9 @@ void write_file_atomically(const std::filesystem::path& path, std::string_view t
 /// Throws RunError with both names and the system's reason.
 void rename_into_place(const std::filesystem::path& temporary, const std::filesystem::path& path);
 
+/// Waits until a file, or the names in a folder, are on the disk. Throws RunError with the system's reason.
+void bring_to_disk(const std::filesystem::path& path);
+
 /// Removes a file that may or may not be there; failures are ignored. For cleaning up after another error.
 void remove_quietly(const std::filesystem::path& path);
 

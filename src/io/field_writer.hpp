@@ -30,6 +30,9 @@ class FieldWriter {
   /// gives its name. Throws RunError on all ranks; then the snapshots written before are still whole.
   void write(const FlowState& state, double density, Moment moment);
 
+  XdmfSeries& series() { return series_; }
+  const XdmfSeries& series() const { return series_; }
+
  private:
   std::filesystem::path output_;
   Grid grid_;

@@ -61,7 +61,9 @@ Hdf5Id Hdf5File::make_set(const std::string& name, hid_t type, const Shape& shap
   // The place has to be known at once, and is not to be filled with zeros first.
   const bool good = space.is_open() && creation.is_open() &&
                     H5Pset_alloc_time(creation.get(), H5D_ALLOC_TIME_EARLY) >= 0 &&
-                    H5Pset_fill_time(creation.get(), H5D_FILL_TIME_NEVER) >= 0;
+                    H5Pset_fill_time(creation.get(), H5D_FILL_TIME_NEVER) >= 0 &&
+                    // The same contents make the same bytes, whenever they are written.
+                    H5Pset_obj_track_times(creation.get(), false) >= 0;
   check(good, "prepare", what);
   Hdf5Id set(H5Dcreate2(file_.get(), name.c_str(), type, space.get(), H5P_DEFAULT, creation.get(), H5P_DEFAULT),
              H5Dclose);

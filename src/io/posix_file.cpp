@@ -21,6 +21,22 @@ PosixFile::PosixFile(std::filesystem::path path) : path_(std::move(path)) {
   if (descriptor_ < 0) fail("create", path_, errno);
 }
 
+PosixFile::PosixFile(std::filesystem::path path, std::int64_t size) : path_(std::move(path)), size_(size) {
+  descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC);
+  if (descriptor_ < 0) fail("open", path_, errno);
+  try {
+    const auto present = ::lseek(descriptor_, 0, SEEK_END);
+    if (present < 0) fail("find the end of", path_, errno);
+    if (present < size_)
+      throw RunError(fmt::format("{} has {} bytes, but had {} before", path_.string(), present, size_));
+    if (::ftruncate(descriptor_, size_) != 0 || ::lseek(descriptor_, size_, SEEK_SET) != size_)
+      fail("cut back", path_, errno);
+  } catch (...) {
+    ::close(descriptor_);
+    throw;
+  }
+}
+
 PosixFile::~PosixFile() {
   if (descriptor_ >= 0) ::close(descriptor_);
 }

@@ -37,6 +37,7 @@ void SharedFile::write_rows(std::uint64_t offset, const void* values, std::size_
   check(code, "write");
 }
 
+void SharedFile::sync() { check(MPI_File_sync(file_), "bring to the disk"); }
 void SharedFile::close() { check(MPI_File_close(&file_), "finish writing"); }
 
 void SharedFile::check(int code, const char* action) const {

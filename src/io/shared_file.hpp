@@ -25,6 +25,8 @@ class SharedFile {
   void write(std::uint64_t offset, std::span<const Real> values, std::size_t row_bytes) {
     write_rows(offset, values.data(), values.size_bytes() / row_bytes, row_bytes);
   }
+  /// Brings what this rank has written to the disk, or at least to where all ranks see it.
+  void sync();
   void close();
 
  private:

@@ -30,6 +30,9 @@ class SurfaceWriter {
   /// Collective; the root writes its copy of the body, through a temporary file. Throws RunError on all ranks.
   void write(const SurfaceSnapshot& snapshot, Moment moment);
 
+  XdmfSeries& series() { return series_; }
+  const XdmfSeries& series() const { return series_; }
+
  private:
   void write_file(const std::filesystem::path& path, const SurfaceSnapshot& snapshot, Moment moment) const;
   std::string describe(const SurfaceSnapshot& snapshot, const std::string& file) const;

@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <fstream>
+#include <sstream>
+
+#include "core/error.hpp"
 #include "io/atomic_file.hpp"
 
 namespace pliant {
@@ -10,6 +14,31 @@ XdmfSeries::XdmfSeries(std::filesystem::path path, std::string name) : path_(std
 
 void XdmfSeries::add(double time, std::string body) {
   snapshots_.push_back({time, std::move(body)});
+  write();
+}
+
+void XdmfSeries::resume(std::size_t count) {
+  std::ostringstream all;
+  if (count > 0) all << std::ifstream(path_).rdbuf();
+  const auto text = all.str();
+  // As `write` writes it: time, contents, end.
+  const std::string before = "<Time Value=\"", after = "\"/>\n", end = "</Grid>\n";
+  snapshots_.clear();
+  std::size_t at = 0;
+  while (snapshots_.size() < count) {
+    const auto time = text.find(before, at), body = text.find(after, time), stop = text.find(end, body);
+    if (stop == std::string::npos)
+      throw RunError(fmt::format("{} lists {} snapshots, but listed {} before", path_.string(), snapshots_.size(), count));
+    const auto begin = time + before.size();
+    snapshots_.push_back({std::stod(text.substr(begin, body - begin)),
+                          text.substr(body + after.size(), stop - body - after.size())});
+    at = stop;
+  }
+  if (count > 0) write();
+  else remove_quietly(path_);
+}
+
+void XdmfSeries::write() const {
   std::string text = fmt::format(
       "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<!DOCTYPE Xdmf SYSTEM \"Xdmf.dtd\" []>\n"
       "<Xdmf Version=\"2.0\">\n<Domain>\n<Grid Name=\"{}\" GridType=\"Collection\" CollectionType=\"Temporal\">\n",

@@ -16,7 +16,14 @@ class XdmfSeries {
   /// Throws RunError.
   void add(double time, std::string body);
 
+  std::size_t size() const { return snapshots_.size(); }
+  const std::filesystem::path& path() const { return path_; }
+  /// Continues the series that is there after its first `count` snapshots; the file then lists no others. Throws
+  /// RunError if it has fewer.
+  void resume(std::size_t count);
+
  private:
+  void write() const;
   struct Snapshot {
     double time;
     std::string body;

@@ -37,7 +37,7 @@ TEST(ByteStream, RefusesToReadPastTheEnd) {
   const auto bytes = out.take();
   EXPECT_TRUE(out.bytes().empty());
   for (std::size_t kept = 0; kept < bytes.size(); ++kept) {
-    ByteReader in(std::span(bytes).first(kept));
+    ByteReader in{std::span(bytes).first(kept)};
     EXPECT_THROW(in.read_vector<double>(), ByteStreamError) << kept;
     EXPECT_EQ(in.remaining(), kept);
   }
