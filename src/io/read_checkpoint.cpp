@@ -10,7 +10,7 @@
 
 #include "core/byte_stream.hpp"
 #include "core/error.hpp"
-#include "io/agree.hpp"
+#include "parallel/agree.hpp"
 #include "io/checksum.hpp"
 
 namespace pliant {

@@ -2,7 +2,7 @@
 #include <filesystem>
 
 #include "flow/flow_solver.hpp"
-#include "io/body_blob.hpp"
+#include "core/body_blob.hpp"
 #include "io/checkpoint_format.hpp"
 
 namespace pliant {

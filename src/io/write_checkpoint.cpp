@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "core/error.hpp"
-#include "io/agree.hpp"
+#include "parallel/agree.hpp"
 #include "io/atomic_file.hpp"
 #include "io/checksum.hpp"
 #include "io/posix_file.hpp"
