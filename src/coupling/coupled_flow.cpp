@@ -1,0 +1,71 @@
+#include "coupling/coupled_flow.hpp"
+
+#include "coupling/surface_stress.hpp"
+
+namespace pliant {
+namespace {
+
+SampledFields fields_of(const FlowSolver& flow) {
+  const auto& state = flow.state();
+  return {&state.u, &state.v, &state.w, &state.p};
+}
+
+}  // namespace
+
+CoupledFlow::CoupledFlow(const CaseConfig& config, FlowSolver& flow, Bodies& bodies)
+    : config_(config),
+      flow_(flow),
+      bodies_(bodies),
+      boundary_(flow.grid(), config),
+      contact_(flow.grid(), config),
+      sampler_(flow.grid(), fields_of(flow), config.fluid.density) {
+  for (const auto& kind : bodies.kinds()) {
+    is_two_way_ |= kind.acts_on_flow();
+    has_free_ |= kind.is_free() && kind.acts_on_flow();
+    has_strong_ |= kind.coupling == CouplingKind::strong;
+    has_probe_driven_ |= kind.is_free() && kind.config.loads == LoadSource::probes;
+  }
+  place_all();
+  if (is_two_way_) boundary_.adopt_inner_motion(bodies_, flow_.state());
+}
+
+void CoupledFlow::place_all() {
+  if (!is_two_way_) return;
+  boundary_.place(bodies_, MarkerGroup::fixed);
+  boundary_.place(bodies_, MarkerGroup::moving);
+}
+
+void CoupledFlow::advance_fluid(double step) {
+  last_step_ = step;
+  if (is_two_way_) flow_.advance(step, boundary_.hook());
+  else flow_.advance(step);
+}
+
+Vec3 CoupledFlow::driving() const {
+  Vec3 sum = config_.forcing.acceleration;
+  if (const auto& bulk = config_.forcing.bulk_velocity) sum[static_cast<int>(bulk->axis)] += flow_.bulk_forcing();
+  return sum;
+}
+
+void CoupledFlow::find_loads(double step) {
+  boundary_.find_reactions(bodies_, MarkerGroup::moving, step, driving());
+  if (has_probe_driven_) find_stresses(bodies_, sampler_, flow_.grid(), driving(), StressOf::driven);
+  if (contact_.is_wanted()) contact_.find(bodies_);
+}
+
+RigidLoad CoupledFlow::load_on(const Body& body) const {
+  return total_load(body, bodies_.kind_of(body), {config_.forcing.gravity, driving(), config_.fluid.density});
+}
+
+void CoupledFlow::accept() {
+  for (Body& body : bodies_.own()) body.told_before = body.told;
+}
+
+void CoupledFlow::diagnose() {
+  if (!is_two_way_) return;
+  if (last_step_ > 0) boundary_.find_reactions(bodies_, MarkerGroup::fixed, last_step_, driving());
+  boundary_.measure_slip(bodies_, flow_.state());
+  find_stresses(bodies_, sampler_, flow_.grid(), driving(), StressOf::all);
+}
+
+}  // namespace pliant
