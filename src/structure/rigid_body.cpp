@@ -44,17 +44,17 @@ void advance_rotation(RigidState& state, Vec3& acceleration, const RigidModel& m
   const Vec3 momentum = turned(state.orientation, model.inertia, rate) + model.virtual_inertia * rate;
   const Vec3 change = step * (torque + model.virtual_inertia * acceleration);
 
-  Vec3 middle_rate = rate;
+  Vec3 next = rate;
+  Quaternion turned_to;
   for (int i = 0; i < most_iterations; ++i) {
-    const Quaternion middle = normalized(from_rotation_vector(0.5 * step * middle_rate) * state.orientation);
-    const Vec3 next = solve_rate(model, middle, momentum + 0.5 * change, rate);
-    const double moved = norm(next - middle_rate);
-    middle_rate = next;
-    if (moved <= tolerance * norm(next)) break;
+    turned_to = normalized(from_rotation_vector(0.5 * step * (rate + next)) * state.orientation);
+    const Vec3 last = next;
+    next = solve_rate(model, turned_to, momentum + change, rate);
+    if (norm(next - last) <= tolerance * norm(next)) break;
   }
-  state.orientation = normalized(from_rotation_vector(step * middle_rate) * state.orientation);
-  state.angular_velocity = solve_rate(model, state.orientation, momentum + change, rate);
-  acceleration = (state.angular_velocity - rate) / step;
+  state.orientation = turned_to;
+  state.angular_velocity = next;
+  acceleration = (next - rate) / step;
 }
 
 }  // namespace
