@@ -29,10 +29,9 @@ struct RigidModel {
 /// Moves a body through `step` under a load that stays constant in the world's frame.
 ///
 /// Translation: (m + m_v) a' = F + m_v a_old, exact for this load. Rotation: with K = (R I R^T + I_v) omega,
-/// K' = K + step (T + I_v alpha_old), and R' = exp(step omega_m) R, where omega_m belongs to the mean of K and to the
-/// orientation half-way (implicit midpoint rule, symmetric in time). Hence, without virtual inertia, angular momentum
-/// changes by step T to round-off, for any step; orientation and energy are second order. Virtual terms lag by one step
-/// and are first order.
+/// K' = K + step (T + I_v alpha_old) and R' = exp(step (omega + omega')/2) R, solved for R' and omega' by iteration;
+/// symmetric in time. Hence, without virtual inertia, angular momentum changes by step T to round-off, for any step;
+/// orientation and energy are second order. Virtual terms lag by one step and are first order.
 ///
 /// `acceleration` holds the mean over the last step on entry (only virtual terms read it) and that over this one on
 /// return. m + m_v must be positive, and R I R^T + I_v positive definite in the free directions.
