@@ -84,7 +84,7 @@ TEST(ProbeLoads, ConvergeToStokesDragAtTheirOrders) {
   const auto sites = sphere_sites();
   const double exact = 6 * M_PI * mu;
   const auto drag_error = [&](ProbeForm form, double h) {
-    const ProbeSettings settings{form, Wetting::outside, h, 1.0, mu, {}};
+    const ProbeSettings settings{form, Wetting::outside, h, 0, 1.0, mu, {}};
     return total(sites, loads_of(sites, settings, stokes_flow())).force.x - exact;
   };
   // The limits are those of the sampled sphere: 2880 sites, 1e-4.
@@ -107,7 +107,7 @@ TEST(ProbeLoads, OfASpinningSphereInStokesFlow) {
   const Vec3 exact = (-8 * M_PI * mu) * omega;
   for (const ProbeForm form : forms) {
     const auto error = [&](double h) {
-      const ProbeSettings settings{form, Wetting::outside, h, 1.0, mu, {}};
+      const ProbeSettings settings{form, Wetting::outside, h, 0, 1.0, mu, {}};
       return norm(total(sites, loads_of(sites, settings, flow)).torque - exact);
     };
     EXPECT_NEAR(order(error(0.05), error(0.025)), form == ProbeForm::quadratic ? 2 : 1, 0.25);
@@ -134,7 +134,7 @@ TEST(ProbeLoads, VanishInAFluidThatTurnsWithTheBody) {
   flow.pressure = [&](Vec3 x) { return 0.5 * rho * omega.z * omega.z * (x.x * x.x + x.y * x.y); };
   const Vec3 exact = (rho * volume) * cross(omega, cross(omega, away));
   for (const ProbeForm form : forms) {
-    const auto loads = loads_of(sites, {form, Wetting::outside, h, rho, mu, {}}, flow);
+    const auto loads = loads_of(sites, {form, Wetting::outside, h, 0, rho, mu, {}}, flow);
     for (Vec3 shear : loads.outer.shear) EXPECT_LT(norm(shear), 1e-8);
     // Pressure: error h^2 p''/2 (h^2 p'' if extrapolated), whose sum over the sphere is small of higher order.
     EXPECT_LT(norm(total(sites, loads).force - exact), 0.02 * norm(exact));
@@ -153,7 +153,7 @@ TEST(ProbeLoads, GiveTheAddedMassOfAnAcceleratingSphere) {
   const Vec3 exact = (-rho * 2 * M_PI / 3) * a;
   for (const ProbeForm form : forms) {
     const auto error = [&](double h) {
-      return norm(total(sites, loads_of(sites, {form, Wetting::outside, h, rho, mu, {}}, flow)).force - exact);
+      return norm(total(sites, loads_of(sites, {form, Wetting::outside, h, 0, rho, mu, {}}, flow)).force - exact);
     };
     EXPECT_NEAR(order(error(0.05), error(0.025)), 2, 0.25) << "dp/dn = -rho a.n makes it second order";
   }
@@ -170,7 +170,7 @@ TEST(ProbeLoads, GiveArchimedesForceOfAUniformBodyForce) {
   flow.pressure = 3;
   flow.pressure_gradient = rho * g;
   for (const ProbeForm form : forms) {
-    const auto loads = loads_of(sites, {form, Wetting::outside, 0.1, rho, mu, g}, flow);
+    const auto loads = loads_of(sites, {form, Wetting::outside, 0.1, 0, rho, mu, g}, flow);
     const Vec3 exact = (-rho * enclosed_volume(surface.mesh, surface.positions)) * g;
     EXPECT_LT(norm(total(sites, loads).force - exact), 1e-12 * norm(exact));
     EXPECT_LT(norm(total(sites, loads).torque), 1e-12 * norm(exact));
@@ -191,7 +191,7 @@ TEST(ProbeLoads, OfASurfaceThatFollowsALinearFlow) {
   LinearFlow flow;
   flow.gradient = gradient;
   for (const ProbeForm form : forms) {
-    const auto loads = loads_of(sites, {form, Wetting::outside, 0.1, 1.0, mu, {}}, flow);
+    const auto loads = loads_of(sites, {form, Wetting::outside, 0.1, 0, 1.0, mu, {}}, flow);
     for (std::size_t f = 0; f < sites.size(); ++f) {
       const Vec3 n = sites.normals[f];
       const Vec3 stress = mu * (gradient * n + Vec3{dot({gradient[0].x, gradient[1].x, gradient[2].x}, n),
@@ -205,6 +205,22 @@ TEST(ProbeLoads, OfASurfaceThatFollowsALinearFlow) {
   }
 }
 
+TEST(ProbeLoads, HeedWhereTheFlowTakesTheSurfacesVelocity) {
+  // A parabola over the plane z = 0 that vanishes at z = s_0: its slope there.
+  const TriangleMesh mesh(3, {{0, 1, 2}});
+  const std::vector<Vec3> positions{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, zero(3);
+  SurfaceSites sites;
+  set_sites(mesh, positions, zero, zero, sites);
+  const double offset = 0.03, h = 0.2;
+  Flow flow;
+  flow.velocity = [&](Vec3 x) { return Vec3{2 * (x.z - offset) - 3 * (x.z - offset) * (x.z - offset), 0, 0}; };
+  flow.pressure = [](Vec3) { return 0.0; };
+  const auto loads = loads_of(sites, {ProbeForm::quadratic, Wetting::outside, h, offset, 1.0, mu, {}}, flow);
+  EXPECT_NEAR(loads.outer.shear[0].x, 2 * mu, 1e-8);
+  const auto linear = loads_of(sites, {ProbeForm::one_sided, Wetting::outside, h, offset, 1.0, mu, {}}, flow);
+  EXPECT_NEAR(linear.outer.shear[0].x, (2 - 3 * (h - offset)) * mu, 1e-8);
+}
+
 TEST(ProbeLoads, OfAMembraneAreTheDifferenceOfItsSides) {
   // A square in z = 0 at rest: shear flows of different rates and pressures of different height above and below.
   const TriangleMesh mesh(4, {{0, 1, 2}, {0, 2, 3}});
@@ -215,7 +231,7 @@ TEST(ProbeLoads, OfAMembraneAreTheDifferenceOfItsSides) {
   flow.velocity = [](Vec3 x) { return x.z > 0 ? Vec3{2 * x.z, 0, 0} : Vec3{0, -3 * x.z, 0}; };
   flow.pressure = [](Vec3 x) { return x.z > 0 ? 5.0 : 9.0; };
   for (const ProbeForm form : forms) {
-    const auto loads = loads_of(sites, {form, Wetting::both_sides, 0.1, 1.0, mu, {}}, flow);
+    const auto loads = loads_of(sites, {form, Wetting::both_sides, 0.1, 0, 1.0, mu, {}}, flow);
     ASSERT_EQ(loads.inner.pressure.size(), 2U);
     for (std::size_t f = 0; f < 2; ++f) {
       EXPECT_NEAR(loads.outer.pressure[f], 5, 1e-12);
@@ -224,7 +240,7 @@ TEST(ProbeLoads, OfAMembraneAreTheDifferenceOfItsSides) {
       EXPECT_LT(norm(loads.inner.shear[f] - mu * Vec3{0, 3, 0}), 1e-10);
       EXPECT_LT(norm(loads.forces[f] - 0.5 * Vec3{2 * mu, 3 * mu, 4}), 1e-10);
     }
-    const auto closed = loads_of(sites, {form, Wetting::outside, 0.1, 1.0, mu, {}}, flow);
+    const auto closed = loads_of(sites, {form, Wetting::outside, 0.1, 0, 1.0, mu, {}}, flow);
     EXPECT_TRUE(closed.inner.pressure.empty());
   }
 }
