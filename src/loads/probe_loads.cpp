@@ -22,16 +22,16 @@ Vec3 tangential(Vec3 a, Vec3 normal) { return a - dot(a, normal) * normal; }
 
 Vec3 viscous_traction(const Sided& site, const ProbeSettings& settings, const FlowSample& flow) {
   const Vec3 n = site.normal;
-  const double mu = settings.viscosity, h = settings.length;
+  const double mu = settings.viscosity, distance = settings.length - settings.offset;
   switch (settings.form) {
     case ProbeForm::gradient:
       return mu * (flow.gradient * n + transposed_times(flow.gradient, n));
     case ProbeForm::one_sided:
-      return mu * ((flow.velocity - site.velocity) / h - site.normal_rate);
+      return mu * ((flow.velocity - site.velocity) / distance - site.normal_rate);
     case ProbeForm::quadratic:
       break;
   }
-  const Vec3 slope = (2 / h) * (flow.velocity - site.velocity) - flow.gradient * n;
+  const Vec3 slope = (2 / distance) * (flow.velocity - site.velocity) - flow.gradient * n;
   return mu * (tangential(slope, n) - site.normal_rate - 2 * site.stretch_rate * n);
 }
 

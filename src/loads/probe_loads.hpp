@@ -10,9 +10,15 @@ namespace pliant {
 /// How the viscous traction at the surface follows from the flow at the end of a probe.
 enum class ProbeForm {
   gradient,   ///< mu (grad u + grad u^T) n at the probe's end (the paper): first order in h
-  one_sided,  ///< mu ((u - V)/h - dn/dt), the velocity linear near the surface: first order in h
+  one_sided,  ///< mu ((u - V)/(h - s_0) - dn/dt), the velocity linear near the surface: first order in h
   quadratic,  ///< the velocity quadratic, the pressure linear near the surface: second order in h
 };
+
+/// Where a flow that direct forcing holds takes the velocity of the surface: so many spacings outside the markers. The
+/// force is spread over about a cell, and with u rising by mu u' = integral of f through that layer, the velocity that
+/// markers find, a mean over the layer, is met outside its middle (W.-P. Breugem, J. Comput. Phys. 231, 2012, retracts
+/// the markers for this reason). Measured 0.20 to 0.31 on a resolved sphere: bench/markers.md.
+inline constexpr double forced_surface_offset = 0.25;
 
 /// Which sides of a surface the fluid touches: closed bodies are wetted outside, membranes on both sides.
 enum class Wetting { outside, both_sides };
@@ -21,7 +27,8 @@ enum class Wetting { outside, both_sides };
 struct ProbeSettings {
   ProbeForm form = ProbeForm::one_sided;
   Wetting wetting = Wetting::outside;
-  double length = 0;       ///< h, of a probe
+  double length = 0;       ///< h, of a probe; above the offset
+  double offset = 0;       ///< s_0: the velocity of the flow is V so far outside the surface; 0 for a sharp surface
   double density = 1.0;    ///< of the fluid
   double viscosity = 1.0;  ///< dynamic
   Vec3 body_force;         ///< uniform force per unit mass g that acts on the fluid and is balanced within its pressure
@@ -52,11 +59,12 @@ void probe_points(const SurfaceSites& sites, const ProbeSettings& settings, std:
 ///   gradient, one_sided:  p_surface = p + rho h (a - g).n   (from dp/dn = -rho (a - g).n, viscous part neglected)
 ///   quadratic:            p_surface = 2 p(h) - p(2 h)
 ///   gradient:             t = mu (grad u + grad u^T) n
-///   one_sided:            t = mu ((u - V)/h - dn/dt)
-///   quadratic:            t = mu (T u_n - dn/dt - 2 s n),  u_n = 2 (u - V)/h - grad u n,  T = 1 - n n^T
+///   one_sided:            t = mu ((u - V)/(h - s_0) - dn/dt)
+///   quadratic:            t = mu (T u_n - dn/dt - 2 s n),  u_n = 2 (u - V)/(h - s_0) - grad u n,  T = 1 - n n^T
 ///
-/// dn/dt takes out the turning of the surface: without it a rigidly rotating fluid would exert a stress. The last form
-/// uses that the stress of an incompressible fluid at a surface is mu (du/dn + n (n.du/dn) - dn/dt), n.du/dn = -s.
+/// dn/dt takes out the turning of the surface: without it a rigidly rotating fluid would exert a stress. `one_sided`
+/// counts the normal viscous stress of a stretching surface by half. The last form uses that the stress of an
+/// incompressible fluid at a surface is mu (du/dn + n (n.du/dn) - dn/dt), n.du/dn = -s.
 void evaluate_probes(const SurfaceSites& sites, const ProbeSettings& settings, std::span<const FlowSample> samples,
                      ProbeLoads& loads);
 

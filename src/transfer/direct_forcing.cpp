@@ -1,5 +1,6 @@
 #include "transfer/direct_forcing.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "boundary/fill_ghosts.hpp"
@@ -98,6 +99,14 @@ double DirectForcing::rms_slip(ConstView<FaceX> u, ConstView<FaceY> v, ConstView
   }
   grid_.ranks().sum(numbers);
   return numbers[1] > 0 ? std::sqrt(numbers[0] / numbers[1]) : 0;
+}
+
+double DirectForcing::largest_correction() const {
+  double largest = 0;
+  for (const Set& set : sets_)
+    for (int c : {0, 2})
+      for (double factor : set.markers.spreading(c)) largest = std::max(largest, factor);
+  return largest;
 }
 
 void DirectForcing::add_velocities(ConstView<FaceX> u, ConstView<FaceY> v, ConstView<FaceZ> w,

@@ -42,6 +42,12 @@ class DirectForcing {
   void add_velocities(ConstView<FaceX> u, ConstView<FaceY> v, ConstView<FaceZ> w, std::span<Vec3> velocities,
                       MarkerGroup group = MarkerGroup::moving);
 
+  /// Largest factor c = A h / sum_k phi_k dV_k by which this rank's markers spread their forces, 0 without markers.
+  /// Where it is largest_stable_correction or more, a marker changes the flow by more than twice what it wants to and
+  /// the flow blows up: its face is too large for the grid (MarkerLayout, refinement_for).
+  double largest_correction() const;
+  static constexpr double largest_stable_correction = 2;
+
   const Markers& markers(MarkerGroup group = MarkerGroup::moving) const { return set_of(group).markers; }
 
  private:

@@ -9,7 +9,7 @@ namespace pliant {
 
 /// Longest edge of a forcing marker's triangle, in grid spacings, that still holds the flow: with longer ones fluid
 /// passes between the markers (measured: bench/markers.md).
-inline constexpr double longest_marker_edge = 1.25;
+inline constexpr double longest_marker_edge = 1.35;
 
 /// Into how many parts n each edge of a face must be split, so that the edges of its n^2 congruent parts are at most
 /// longest_marker_edge spacings long. At least 1. Throws InputError if a length or the spacing is not positive, or if

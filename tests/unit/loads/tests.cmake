@@ -1,3 +1,5 @@
 pliant_test(drag_area_test SOURCES ${CMAKE_CURRENT_LIST_DIR}/drag_area_test.cpp LIBS pliant_loads)
 pliant_test(traction_test SOURCES ${CMAKE_CURRENT_LIST_DIR}/traction_test.cpp LIBS pliant_loads)
 pliant_test(one_way_test SOURCES ${CMAKE_CURRENT_LIST_DIR}/one_way_test.cpp LIBS pliant_coupling pliant_diagnostics)
+pliant_test(momentum_balance_test SOURCES ${CMAKE_CURRENT_LIST_DIR}/momentum_balance_test.cpp LIBS pliant_loads)
+pliant_test(probe_loads_test SOURCES ${CMAKE_CURRENT_LIST_DIR}/probe_loads_test.cpp LIBS pliant_loads)
