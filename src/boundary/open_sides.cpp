@@ -289,7 +289,7 @@ std::vector<PatchFlowRate> OpenSides::patch_flow_rates() const {
   for (const Side& side : sides_)
     for (std::size_t p = 0; p < side.patches.size(); ++p) {
       const FlowPatch& patch = side.patches[p];
-      rates.push_back({patch.name, patch.balances() ? -side.mean_outward * side.area : side.rates[p]});
+      rates.push_back({patch.name, patch.balances() ? 0 - side.mean_outward * side.area : side.rates[p]});
     }
   return rates;
 }

@@ -28,8 +28,8 @@ std::vector<Key<SignalConfig>> signal_keys() {
                &SignalConfig::csv),
       {"formula"}));
   keys.push_back(text_key({"formula", "",
-                           "of t, such as 0.5*(1-cos(pi*t)); knows + - * / ^ ?: < > <= >= == != && ||, sin cos tan "
-                           "asin acos atan sinh cosh tanh exp ln log2 log10 sqrt abs sign rint min max sum avg, and pi"},
+                           "of t, such as `0.5*(1-cos(pi*t))`: arithmetic, `^`, comparisons, `a ? b : c`, pi, and sin, cos, tan, "
+                           "asin, acos, atan, sinh, cosh, tanh, exp, ln, log10, sqrt, abs, sign, rint, min, max"},
                           &SignalConfig::formula));
   keys.push_back(make_key<SignalConfig>(
       {"period", "time", "a table is repeated with it; a formula gets t modulo it"}, [](auto& s) { return &s.period; },

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <muParser.h>
 
+#include <algorithm>
 #include <mutex>
 #include <numbers>
 
@@ -31,7 +32,9 @@ Formula::Formula(const std::string& text) : parsed_(std::make_shared<Parsed>()) 
   } catch (const mu::ParserError& error) {
     const auto message = error.GetMsg();
     if (error.GetPos() < 0) throw InputError(fmt::format("the formula \"{}\" is wrong: {}", text, message));
-    throw InputError(fmt::format("the formula \"{}\" is wrong at character {}: {}", text, error.GetPos() + 1, message));
+    // muParser counts its own end mark.
+    const auto character = std::min(static_cast<std::size_t>(error.GetPos()), text.size()) + 1;
+    throw InputError(fmt::format("the formula \"{}\" is wrong at character {}: {}", text, character, message));
   }
 }
 
