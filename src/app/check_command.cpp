@@ -14,6 +14,7 @@
 #include "core/error.hpp"
 #include "coupling/one_way.hpp"
 #include "flow/flow_solver.hpp"
+#include "signals/make_signal.hpp"
 #include "simulation/time_step.hpp"
 #include "structure/make_body.hpp"
 #include "structure/stable_time_step.hpp"
@@ -97,8 +98,10 @@ void print_steps(const CaseConfig& config, const Grid& grid, std::span<const Def
   const double viscous = viscous_step_limit(grid, config.fluid.viscosity / config.fluid.density, config.time.viscous);
   auto adaptive = config;
   adaptive.time.step.reset();
-  const auto limits = step_limits(adaptive, grid, initial_rate(config.initial, grid), viscous);
-  const auto ruling = step_limits(config, grid, initial_rate(config.initial, grid), viscous);
+  const double sides = OpenSides(grid, config.boundary, make_signals(config)).largest_rate(config.time.end);
+  const double rate = std::max(initial_rate(config.initial, grid), sides);
+  const auto limits = step_limits(adaptive, grid, rate, viscous);
+  const auto ruling = step_limits(config, grid, rate, viscous);
   const double step = ruling.smallest();
   fmt::print("# time-step limits at the start:\n");
   fmt::print("#   convective {} (Courant number {:.4g})\n", number(limits.convective), config.time.cfl);

@@ -10,6 +10,7 @@
 #include "core/error.hpp"
 #include "parallel/agree.hpp"
 #include "mesh/geometry.hpp"
+#include "signals/make_signal.hpp"
 #include "structure/make_body.hpp"
 
 namespace pliant {
@@ -58,7 +59,7 @@ void check_probes(const CaseConfig& config, std::size_t index, std::vector<std::
 }  // namespace
 
 CaseConfig load_case(const CaseArguments& arguments, int ranks) {
-  const auto config = read_case(arguments.path, arguments.overrides, ranks);
+  const auto config = read_case(arguments.path, arguments.overrides, ranks, check_signals);
   std::vector<std::string> problems;
   for (std::size_t i = 0; i < config.bodies.size(); ++i) {
     try {

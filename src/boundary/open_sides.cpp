@@ -5,6 +5,8 @@
 #include <limits>
 #include <numbers>
 
+#include "signals/make_signal.hpp"
+
 namespace pliant {
 namespace {
 
@@ -20,12 +22,15 @@ double coordinate(const Grid& grid, int direction, int component, int n) {
 
 }  // namespace
 
-OpenSides::OpenSides(const Grid& grid, const BoundaryConfig& boundary) : grid_(grid), boundary_(boundary) {
+OpenSides::OpenSides(const Grid& grid, const BoundaryConfig& boundary, const Signals& signals)
+    : grid_(grid), boundary_(boundary) {
   const std::array<int, 3> n{grid.nx(), grid.ny(), grid.nz()};
   for (int s = 0; s < 6; ++s) {
     const auto& spec = boundary_[static_cast<std::size_t>(s)];
     const auto* inflow = std::get_if<InflowSide>(&spec);
-    if (inflow == nullptr && !std::holds_alternative<OutflowSide>(spec)) continue;
+    const auto* patches = patches_of(spec);
+    const bool has_patches = patches != nullptr && !patches->empty() && s >= 4;
+    if (inflow == nullptr && !std::holds_alternative<OutflowSide>(spec) && !has_patches) continue;
     const auto d = static_cast<std::size_t>(s / 2);
     Side side;
     side.number = s;
@@ -39,12 +44,23 @@ OpenSides::OpenSides(const Grid& grid, const BoundaryConfig& boundary) : grid_(g
       side.values[static_cast<std::size_t>(c)].resize(side.index(side.na, side.nb) + 1);
       side.changes[static_cast<std::size_t>(c)].resize(side.index(side.na, side.nb) + 1);
     }
+    if (inflow != nullptr && !inflow->signal.empty()) side.signal = make_signal_or_formula(inflow->signal, signals);
+    if (has_patches) {
+      side.patches = make_flow_patches(*patches, grid, signals);
+      side.rates.resize(side.patches.size());
+      const FlowPatch* balance = side.balance_patch();
+      side.area = balance != nullptr ? balance->area : 0;
+      // A free-slip side slips in its patches too.
+      const bool slides = balance != nullptr && std::holds_alternative<WallSide>(spec);
+      side.varies = {slides, slides, true};
+    }
     sides_.push_back(std::move(side));
   }
 }
 
 void OpenSides::lend_values(FieldRules& rules, int component) const {
   for (const Side& side : sides_) {
+    if (!side.varies[static_cast<std::size_t>(component)]) continue;
     auto& rule = rules[static_cast<std::size_t>(side.number)];
     rule.values = side.values[static_cast<std::size_t>(component)].data() + side.index(0, 0);
     rule.values_stride = side.stride;
@@ -54,6 +70,7 @@ void OpenSides::lend_values(FieldRules& rules, int component) const {
 SideChanges OpenSides::changes(int component) const {
   SideChanges changes;
   for (const Side& side : sides_) {
+    if (!side.varies[static_cast<std::size_t>(component)]) continue;
     changes.values[static_cast<std::size_t>(side.number)] =
         side.changes[static_cast<std::size_t>(component)].data() + side.index(0, 0);
     changes.strides[static_cast<std::size_t>(side.number)] = side.stride;
@@ -65,9 +82,7 @@ void OpenSides::start(const VelocityViews& velocity, double time) {
   for (Side& side : sides_) {
     // A Courant number of one puts the interior's value on the side.
     side.mean_outward = 1;
-    if (side.inflow != nullptr) set_inflow(side, time);
-    else set_outflow(side, velocity, std::numeric_limits<double>::infinity());
-    extend(side);
+    set_side(side, velocity, time, std::numeric_limits<double>::infinity());
   }
   balance();
   for (Side& side : sides_)
@@ -77,9 +92,7 @@ void OpenSides::start(const VelocityViews& velocity, double time) {
 void OpenSides::advance(const VelocityViews& velocity, double time, double dt_alpha) {
   for (Side& side : sides_) {
     side.changes = side.values;
-    if (side.inflow != nullptr) set_inflow(side, time);
-    else set_outflow(side, velocity, dt_alpha);
-    extend(side);
+    set_side(side, velocity, time, dt_alpha);
   }
   balance();
   for (Side& side : sides_)
@@ -88,10 +101,18 @@ void OpenSides::advance(const VelocityViews& velocity, double time, double dt_al
         side.changes[c][i] = side.values[c][i] - side.changes[c][i];
 }
 
+void OpenSides::set_side(Side& side, const VelocityViews& velocity, double time, double dt_alpha) const {
+  if (side.inflow != nullptr) set_inflow(side, time);
+  else if (side.is_outflow()) set_outflow(side, velocity, dt_alpha);
+  else set_patches(side, velocity, time, dt_alpha);
+  extend(side);
+}
+
 void OpenSides::set_inflow(Side& side, double time) const {
   const InflowSide& inflow = *side.inflow;
   const double phase = inflow.ramp > 0 ? std::clamp(time / inflow.ramp, 0.0, 1.0) : 1.0;
-  const double growth = 0.5 * (1 - std::cos(std::numbers::pi * phase));
+  const double growth =
+      0.5 * (1 - std::cos(std::numbers::pi * phase)) * (side.signal ? side.signal->value(time) : 1.0);
   const auto& directions = along[static_cast<std::size_t>(side.direction())];
   // Values at a boundary half a cell away enter its ghost twice.
   for (int c = 0; c < 3; ++c) {
@@ -136,6 +157,63 @@ void OpenSides::set_outflow(Side& side, const VelocityViews& velocity, double dt
   step(velocity.u, 0);
   step(velocity.v, 1);
   step(velocity.w, 2);
+}
+
+const FlowPatch* OpenSides::Side::balance_patch() const {
+  for (const auto& patch : patches)
+    if (patch.balances()) return &patch;
+  return nullptr;
+}
+
+void OpenSides::set_patches(Side& side, const VelocityViews& velocity, double time, double dt_alpha) const {
+  const FlowPatch* balance = side.balance_patch();
+  if (balance != nullptr && side.here) set_balance_patch(side, *balance, velocity, dt_alpha);
+  for (std::size_t p = 0; p < side.patches.size(); ++p) {
+    const FlowPatch& patch = side.patches[p];
+    if (patch.balances()) continue;
+    side.rates[p] = patch.flow_rate(time);
+    for (std::size_t n = 0; n < patch.faces.size(); ++n)
+      side.values[2][side.index(patch.faces[n][0], patch.faces[n][1])] =
+          -side.outwards() * side.rates[p] * patch.weights[n];
+  }
+}
+
+// While fluid leaves, on the whole, the patch is convective as an outflow side is: eddies pass. While fluid enters nothing
+// upstream could be carried there, and values kept as they were would come in as they left; so what comes in tends to a
+// plug with the wall's own tangential velocity, as fast as it comes. The two meet where nothing passes. The tangential
+// values are those of the wall itself, half a cell from the first nodes: the rule of a wall stays, and with it the implicit
+// solves.
+void OpenSides::set_balance_patch(Side& side, const FlowPatch& patch, const VelocityViews& velocity,
+                                  double dt_alpha) const {
+  const bool upper = side.number % 2 == 1, leaves = side.mean_outward > 0;
+  const int cell = upper ? grid_.nz() - 1 : 0, inner_face = upper ? grid_.nz() - 2 : 0;
+  const double cells = std::abs(side.mean_outward) * dt_alpha / grid_.dz_c()[cell];
+  const auto towards = [](double old, double courant, double target) {
+    return old - std::clamp(courant, 0.0, 1.0) * (old - target);
+  };
+  const double plug = side.outwards() * side.mean_outward;
+  for (const auto& [i, j] : patch.faces) {
+    double& w = side.values[2][side.index(i, j)];
+    w = towards(w, cells, leaves ? velocity.w(i, j, inner_face) : plug);
+  }
+  const auto* wall = std::get_if<WallSide>(&boundary_[static_cast<std::size_t>(side.number)]);
+  if (wall == nullptr) return;
+  std::vector<char> open(side.values[0].size());
+  for (const auto& [i, j] : patch.faces) open[side.index(i, j)] = 1;
+  const auto slide = [&](std::size_t c, const auto& field, int di, int dj) {
+    for (int j = 0; j < side.nb; ++j)
+      for (int i = 0; i < side.na; ++i) {
+        // A node between two faces; beyond a bounded edge there is no face, beyond a periodic one the first.
+        const int in = grid_.is_periodic(0) ? (i + di) % side.na : i + di;
+        const int jn = grid_.is_periodic(1) ? (j + dj) % side.nb : j + dj;
+        const double at_wall = wall->velocity[static_cast<int>(c)];
+        double& value = side.values[c][side.index(i, j)];
+        if (open[side.index(i, j)] == 0 || open[side.index(in, jn)] == 0) value = 2 * at_wall;
+        else value = 2 * towards(0.5 * value, 2 * cells, leaves ? field(i, j, cell) : at_wall);
+      }
+  };
+  slide(0, velocity.u, 1, 0);
+  slide(1, velocity.v, 0, 1);
 }
 
 // The values just beyond the edges of a side, for the corners of the ghosts: around a period, else as within.
@@ -188,15 +266,72 @@ void OpenSides::balance() {
   double net = 0, area = 0;
   for (std::size_t s = 0; s < sides_.size(); ++s) {
     net += fluxes[s];
-    if (sides_[s].inflow == nullptr) area += sides_[s].area;
+    if (sides_[s].balances()) area += sides_[s].area;
   }
   const double shift = area > 0 ? -net / area : 0;
   for (std::size_t s = 0; s < sides_.size(); ++s) {
     Side& side = sides_[s];
-    if (side.inflow != nullptr) continue;
-    for (double& v : side.values[static_cast<std::size_t>(side.direction())]) v += side.outwards() * shift;
-    side.mean_outward = fluxes[s] / side.area + shift;
+    if (side.is_outflow()) {
+      for (double& v : side.values[static_cast<std::size_t>(side.direction())]) v += side.outwards() * shift;
+      side.mean_outward = fluxes[s] / side.area + shift;
+    } else if (const FlowPatch* patch = side.balance_patch()) {
+      for (const auto& [i, j] : patch->faces) side.values[2][side.index(i, j)] += side.outwards() * shift;
+      extend(side);
+      double others = 0;
+      for (double rate : side.rates) others += rate;
+      side.mean_outward = (fluxes[s] + others) / side.area + shift;
+    }
   }
+}
+
+std::vector<PatchFlowRate> OpenSides::patch_flow_rates() const {
+  std::vector<PatchFlowRate> rates;
+  for (const Side& side : sides_)
+    for (std::size_t p = 0; p < side.patches.size(); ++p) {
+      const FlowPatch& patch = side.patches[p];
+      rates.push_back({patch.name, patch.balances() ? 0 - side.mean_outward * side.area : side.rates[p]});
+    }
+  return rates;
+}
+
+double OpenSides::smallest_spacing(int direction) const {
+  return direction == 0 ? grid_.dx() : direction == 1 ? grid_.dy() : grid_.smallest_dz();
+}
+
+double OpenSides::largest_rate(double end) const {
+  constexpr int samples = 2000;
+  double longest = 0;
+  for (const Side& side : sides_) {
+    if (side.signal && side.signal->period()) longest = std::max(longest, *side.signal->period());
+    for (const auto& patch : side.patches)
+      if (patch.signal && patch.signal->period()) longest = std::max(longest, *patch.signal->period());
+  }
+  double largest = 0;
+  const auto sample = [&](double time) {
+    double net = 0;
+    for (const Side& side : sides_) {
+      if (side.signal) {
+        double rate = 0;
+        for (int d = 0; d < 3; ++d) rate += std::abs(side.inflow->velocity[d]) / smallest_spacing(d);
+        largest = std::max(largest, rate * std::abs(side.signal->value(time)));
+      }
+      const double dz = grid_.global_dz_c()[side.number % 2 == 0 ? 0 : grid_.cells()[2] - 1];
+      for (const auto& patch : side.patches) {
+        const double rate = patch.flow_rate(time);
+        net += rate;
+        largest = std::max(largest, std::abs(rate) * *std::max_element(patch.weights.begin(), patch.weights.end()) / dz);
+      }
+    }
+    for (const Side& side : sides_)
+      if (const FlowPatch* patch = side.balance_patch())
+        largest = std::max(largest, std::abs(net) / patch->area / smallest_spacing(2));
+  };
+  for (int n = 0; n <= samples; ++n) {
+    sample(end * n / samples);
+    // A run of many periods would step over their peaks.
+    if (longest > 0 && longest < end) sample(longest * n / samples);
+  }
+  return largest;
 }
 
 double OpenSides::net_outward_flux() const {

@@ -1,7 +1,10 @@
 #pragma once
 #include <array>
+#include <optional>
+#include <string>
 #include <vector>
 
+#include "boundary/flow_patch.hpp"
 #include "boundary/side_rules.hpp"
 #include "field/field.hpp"
 #include "field/row_table.hpp"
@@ -15,6 +18,12 @@ struct VelocityViews {
   ConstView<FaceZ> w;
 };
 
+/// What flows into the box through a patch.
+struct PatchFlowRate {
+  std::string name;
+  double value = 0;
+};
+
 /// How much the values of one component on the six sides changed in the last advance; null where a side is closed.
 /// At (a, b) along a side: values[a + b * stride], as SideRule.
 struct SideChanges {
@@ -26,12 +35,14 @@ struct SideChanges {
 
 /// The values that vary along the sides through which fluid passes, for all three components.
 ///
-/// Inflow: the given profile times its ramp, 1/2 (1 - cos(pi t / ramp)). Outflow: du/dt + U du/dn = 0 by one explicit upwind
+/// Inflow: the given profile times its ramp, 1/2 (1 - cos(pi t / ramp)), and its signal. Outflow: du/dt + U du/dn = 0 by one explicit upwind
 /// step a substep, U the mean velocity through the side; then the normal velocity of all outflow sides is shifted alike, so
-/// that the net flux through the box vanishes to round-off.
+/// that the net flux through the box vanishes to round-off. Patches of a wall or free-slip side in z: the flow rate of the
+/// time, spread over the faces of the patch; the balance patch is an outflow of its own and takes the shift alone.
 class OpenSides {
  public:
-  OpenSides(const Grid& grid, const BoundaryConfig& boundary);
+  /// Throws InputError: a signal that is not known, a patch without faces.
+  OpenSides(const Grid& grid, const BoundaryConfig& boundary, const Signals& signals = {});
 
   bool any() const { return !sides_.empty(); }
   /// Lends the values of a component to its rules. They stay with this object, which must neither move nor die.
@@ -45,6 +56,10 @@ class OpenSides {
 
   /// Net flux out of the box after the last start or advance, as summed over the faces. Collective.
   double net_outward_flux() const;
+  /// Of all patches, in the order of the case, after the last start or advance.
+  std::vector<PatchFlowRate> patch_flow_rates() const;
+  /// The largest convective rate, velocity over spacing, that patches and inflows with a signal ask for until `end`.
+  double largest_rate(double end) const;
 
   /// All that an advance needs of those before it, in memory. Copies of one object fit each other.
   struct Snapshot {
@@ -66,16 +81,23 @@ class OpenSides {
  private:
   struct Side {
     int number = 0;  ///< 0 .. 5, x- to z+
-    const InflowSide* inflow = nullptr;  ///< null: outflow
+    const InflowSide* inflow = nullptr;
+    std::optional<Signal> signal;    ///< of the inflow
+    std::vector<FlowPatch> patches;  ///< neither inflow nor patches: outflow
+    std::vector<double> rates;       ///< flow rates of the patches now
     bool here = false;  ///< this rank's slab touches it
     int na = 0, nb = 0;
     std::ptrdiff_t stride = 0;
-    double area = 0;          ///< of the whole side
-    double mean_outward = 0;  ///< mean velocity out of the box
+    double area = 0;          ///< of the whole side, or of its balance patch
+    double mean_outward = 0;  ///< mean velocity out of the box through this area
+    std::array<bool, 3> varies{true, true, true};  ///< whether a component's rule takes its values from here
     std::array<std::vector<double>, 3> values, changes;
 
     int direction() const { return number / 2; }
     double outwards() const { return number % 2 == 0 ? -1 : 1; }
+    const FlowPatch* balance_patch() const;
+    bool is_outflow() const { return inflow == nullptr && patches.empty(); }
+    bool balances() const { return is_outflow() || balance_patch() != nullptr; }
     std::size_t index(int a, int b) const {
       return static_cast<std::size_t>(a + 1) + static_cast<std::size_t>(b + 1) * static_cast<std::size_t>(stride);
     }
@@ -83,10 +105,14 @@ class OpenSides {
 
   void set_inflow(Side& side, double time) const;
   void set_outflow(Side& side, const VelocityViews& velocity, double dt_alpha) const;
+  void set_patches(Side& side, const VelocityViews& velocity, double time, double dt_alpha) const;
+  void set_balance_patch(Side& side, const FlowPatch& patch, const VelocityViews& velocity, double dt_alpha) const;
+  void set_side(Side& side, const VelocityViews& velocity, double time, double dt_alpha) const;
   void extend(Side& side) const;
   void balance();
   double face_area(const Side& side, int b) const;
   std::vector<double> outward_fluxes() const;
+  double smallest_spacing(int direction) const;
 
   Grid grid_;
   BoundaryConfig boundary_;

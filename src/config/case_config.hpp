@@ -15,16 +15,45 @@ namespace pliant {
 
 enum class Axis { x, y, z };
 
+/// A number that varies in time: exactly one of table, csv and formula.
+struct SignalConfig {
+  std::vector<std::array<double, 2>> table;  ///< [time, value], times growing
+  std::filesystem::path csv;                 ///< the same as a file; relative to the case's folder
+  std::string formula;                       ///< of t
+  std::optional<double> period;
+  double scale = 1.0;  ///< factor on the value
+};
+
+enum class PatchShape { disc, annulus, rectangle, outside };
+enum class PatchProfile { uniform, parabolic };
+/// A part of a z side through which a given flow passes. Points of the side are [x, y].
+struct PatchConfig {
+  std::string name;
+  PatchShape shape = PatchShape::disc;
+  std::array<double, 2> center{0, 0};
+  std::optional<double> radius;  ///< outside: of the hole; none: all that other patches leave
+  double inner_radius = 0;       ///< annulus
+  std::array<double, 2> size{0, 0};  ///< rectangle
+  std::string flow_rate;             ///< into the box: a signal's name or a formula of t
+  std::optional<std::array<double, 2>> phase;  ///< part of the signal's period in which fluid passes
+  PatchProfile profile = PatchProfile::uniform;
+  bool balance = false;  ///< lets out what else comes in
+};
+
 struct PeriodicSide {};
 struct WallSide {
   Vec3 velocity;  ///< of the wall; its component normal to the wall must be 0
+  std::vector<PatchConfig> patches = {};
 };
-struct FreeSlipSide {};
+struct FreeSlipSide {
+  std::vector<PatchConfig> patches = {};
+};
 enum class InflowProfile { uniform, parabolic };
 struct InflowSide {
   Vec3 velocity;  ///< must point into the box
   InflowProfile profile = InflowProfile::uniform;
   double ramp = 0;  ///< time over which the velocity grows from 0; 0: at once
+  std::string signal = {};  ///< factor on the velocity: a signal's name or a formula of t; empty: 1
 };
 /// Convective outflow; all outflow sides together let out what comes in.
 struct OutflowSide {};
@@ -33,6 +62,10 @@ using BoundarySpec = std::variant<PeriodicSide, WallSide, FreeSlipSide, InflowSi
 
 /// Sides in the order x-, x+, y-, y+, z-, z+.
 using BoundaryConfig = std::array<BoundarySpec, 6>;
+
+/// The patches of a side; null where it can have none.
+std::vector<PatchConfig>* patches_of(BoundarySpec& side);
+const std::vector<PatchConfig>* patches_of(const BoundarySpec& side);
 
 enum class StretchingLaw { uniform, tanh };
 struct StretchingConfig {
@@ -236,6 +269,7 @@ struct CaseConfig {
   BoxConfig box;
   FluidConfig fluid;
   ForcingConfig forcing;
+  std::map<std::string, SignalConfig> signals;
   BoundaryConfig boundary;
   InitialConfig initial;
   TimeConfig time;

@@ -9,6 +9,7 @@
 #include <iterator>
 
 #include "config/flatten.hpp"
+#include "config/named_scopes.hpp"
 #include "config/overrides.hpp"
 #include "core/error.hpp"
 
@@ -76,6 +77,8 @@ CaseDocument read_document(const std::filesystem::path& file, std::span<const st
     return fmt::format("{}:{}", file.string(), node.source().begin.line);
   };
   flatten(table, KnownPaths::of_case(), origin_of, document.root, document.problems);
+  document.signals = read_signals(table, origin_of, document.problems);
+  document.patches = read_patches(table, origin_of, document.problems).patches;
   read_bodies(table, origin_of, document);
   for (const auto& text : overrides) apply_override(text, document);
   return document;

@@ -26,10 +26,24 @@ struct Scope {
   const Entry* find(const std::string& path) const;
 };
 
+/// One [signals.NAME].
+struct SignalScope {
+  std::string name;
+  Scope scope;
+};
+
+/// One of the patches of a side (0 .. 5).
+struct PatchScope {
+  int side = 0;
+  Scope scope;
+};
+
 /// A case file as a flat list of entries: shorthands written out, unknown keys reported, values not yet looked at.
 struct CaseDocument {
   std::filesystem::path file;
   Scope root;
+  std::vector<SignalScope> signals;
+  std::vector<PatchScope> patches;
   std::vector<Scope> bodies;
   std::vector<std::string> problems;
 };

@@ -75,6 +75,17 @@ CaseKey inflow_key(int side, KeyText text, Value InflowSide::*member, Limits lim
   });
 }
 
+CaseKey inflow_signal_key(int side) {
+  auto key = inflow_key(side, {"signal", "", "factor on the velocity: the name of a signal or a formula of t"},
+                        &InflowSide::signal);
+  key.default_value = Json();
+  key.get = [get = std::move(key.get)](const CaseConfig& config) {
+    auto text = get(config);
+    return text == "" ? Json() : text;
+  };
+  return key;
+}
+
 std::function<bool(const CaseConfig&)> flow_is(std::vector<InitialFlow> flows) {
   return [flows](const CaseConfig& config) {
     for (auto flow : flows) {
@@ -143,6 +154,7 @@ void add_boundary(std::vector<CaseKey>& keys) {
                               &InflowSide::profile));
     keys.push_back(inflow_key(side, {"ramp", "time", "over which the inflow grows from 0; 0: at once"},
                               &InflowSide::ramp, at_least(0)));
+    keys.push_back(inflow_signal_key(side));
   }
 }
 

@@ -23,15 +23,6 @@ KnownPaths known_paths(const std::vector<Key<Config>>& keys) {
   return known;
 }
 
-/// The sides that a key of [boundary] names: "z" both sides of z, "z-" one, anything else none.
-std::vector<std::string> sides_named(std::string_view key) {
-  std::vector<std::string> sides;
-  for (const auto& side : side_names()) {
-    if (key == side || key == side.substr(0, 1)) sides.push_back(side);
-  }
-  return sides;
-}
-
 class Flattener {
  public:
   Flattener(const KnownPaths& known, const OriginOf& origin_of, Scope& scope, std::vector<std::string>& problems)
@@ -39,7 +30,8 @@ class Flattener {
 
   void table(const toml::table& table, const std::string& above) {
     for (const auto& [key, node] : table) {
-      if (above.empty() && scope_.prefix.empty() && key.str() == "body") continue;
+      if (above.empty() && scope_.prefix.empty() && (key.str() == "body" || key.str() == "signals")) continue;
+      if (above.rfind("boundary.", 0) == 0 && key.str() == "patches") continue;
       child(above.empty() ? std::string(key.str()) : above + "." + std::string(key.str()), node);
     }
   }
@@ -92,13 +84,25 @@ class Flattener {
 };
 }  // namespace
 
+std::vector<std::string> sides_named(std::string_view key) {
+  std::vector<std::string> sides;
+  for (const auto& side : side_names()) {
+    if (key == side || key == side.substr(0, 1)) sides.push_back(side);
+  }
+  return sides;
+}
+
 KnownPaths KnownPaths::of_case() {
   auto known = known_paths(case_keys());
-  for (const auto* direction : {"boundary.x", "boundary.y", "boundary.z", "body"}) known.names.push_back(direction);
+  for (const auto* name : {"boundary.x", "boundary.y", "boundary.z", "body", "signals", "boundary.z-.patches",
+                           "boundary.z+.patches"})
+    known.names.push_back(name);
   return known;
 }
 
 KnownPaths KnownPaths::of_body() { return known_paths(body_keys()); }
+KnownPaths KnownPaths::of_signal() { return known_paths(signal_keys()); }
+KnownPaths KnownPaths::of_patch() { return known_paths(patch_keys()); }
 
 void flatten(const toml::table& table, const KnownPaths& known, const OriginOf& origin_of, Scope& scope,
              std::vector<std::string>& problems) {

@@ -17,15 +17,20 @@ struct KnownPaths {
 
   static KnownPaths of_case();
   static KnownPaths of_body();
+  static KnownPaths of_signal();
+  static KnownPaths of_patch();
 };
 
 /// Names the place of a node for messages.
 using OriginOf = std::function<std::string(const toml::node&)>;
 
 /// Appends the entries of `table` to `scope`, writing out the shorthands of [boundary]. Unknown keys go to `problems`.
-/// The array "body" of a case is left to the caller.
+/// The array "body" of a case, its table "signals" and the arrays "patches" of its sides are left to the caller.
 void flatten(const toml::table& table, const KnownPaths& known, const OriginOf& origin_of, Scope& scope,
              std::vector<std::string>& problems);
+
+/// The sides that a key of [boundary] names: "z" both sides of z, "z-" one, anything else none.
+std::vector<std::string> sides_named(std::string_view key);
 
 /// A TOML value as JSON; tables become objects.
 Json to_json(const toml::node& node);

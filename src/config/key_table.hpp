@@ -13,6 +13,12 @@ std::vector<Key<CaseConfig>> case_keys();
 /// Every key of one [[body]].
 std::vector<Key<BodyConfig>> body_keys();
 
+/// Every key of one [signals.NAME].
+std::vector<Key<SignalConfig>> signal_keys();
+
+/// Every key of one of a side's patches.
+std::vector<Key<PatchConfig>> patch_keys();
+
 /// The names of the sides, in the order of BoundaryConfig: "x-", "x+", ... "z+".
 std::array<std::string, 6> side_names();
 

@@ -7,6 +7,7 @@
 
 #include "config/edit_distance.hpp"
 #include "config/flatten.hpp"
+#include "config/named_scopes.hpp"
 
 namespace pliant {
 namespace {
@@ -88,6 +89,40 @@ std::string known_bodies(const CaseDocument& document) {
   }
   return names.empty() ? "the case has no body" : "the case has: " + names;
 }
+/// boundary.SIDE.patches.NAME.key: a key of one patch. True if the parts are of that form.
+bool apply_to_patch(std::span<const std::string> parts, const toml::node& node, const OriginOf& origin_of,
+                    CaseDocument& document) {
+  if (parts.size() < 5 || parts[0] != "boundary" || parts[2] != "patches") return false;
+  const auto prefix = fmt::format("boundary.{}.patches.{}.", parts[1], parts[3]);
+  std::string known;
+  for (auto& patch : document.patches) {
+    known += (known.empty() ? "" : ", ") + patch.scope.prefix.substr(0, patch.scope.prefix.size() - 1);
+    if (patch.scope.prefix != prefix) continue;
+    Scope over;
+    over.prefix = prefix;
+    flatten(nest(parts.subspan(4), node), KnownPaths::of_patch(), origin_of, over, document.problems);
+    lay_over(patch.scope, over, patch_keys());
+    return true;
+  }
+  document.problems.push_back(fmt::format("{}: there is no such patch; the case has: {}", origin_of(node),
+                                          known.empty() ? "none" : known));
+  return true;
+}
+
+/// What a table says of signals, and of all the patches of a side. True if it says anything.
+bool lay_named_scopes_over(const toml::table& table, const OriginOf& origin_of, CaseDocument& document) {
+  const auto signals = read_signals(table, origin_of, document.problems);
+  for (const auto& over : signals) {
+    auto& all = document.signals;
+    const auto same = std::find_if(all.begin(), all.end(), [&](const auto& old) { return old.name == over.name; });
+    if (same == all.end()) all.push_back(over);
+    else lay_over(same->scope, over.scope, signal_keys());
+  }
+  const auto [sides, patches] = read_patches(table, origin_of, document.problems);
+  for (int side : sides) std::erase_if(document.patches, [side](const PatchScope& old) { return old.side == side; });
+  document.patches.insert(document.patches.end(), patches.begin(), patches.end());
+  return !signals.empty() || !sides.empty();
+}
 }  // namespace
 
 void apply_override(const std::string& text, CaseDocument& document) {
@@ -110,9 +145,11 @@ void apply_override(const std::string& text, CaseDocument& document) {
   const toml::node& node = *value->get("value");
   Scope over;
   const auto problems_before = document.problems.size();
+  if (apply_to_patch(parts, node, origin_of, document)) return;
   if (parts[0] != "body") {
-    flatten(nest(parts, node), KnownPaths::of_case(), origin_of, over, document.problems);
-    if (says_nothing(over, problems_before, document))
+    const auto table = nest(parts, node);
+    flatten(table, KnownPaths::of_case(), origin_of, over, document.problems);
+    if (!lay_named_scopes_over(table, origin_of, document) && says_nothing(over, problems_before, document))
       document.problems.push_back(fmt::format("{}: sets no key; name the key and its value", origin));
     return lay_over(document.root, over, case_keys());
   }

@@ -51,6 +51,11 @@ std::string lines(const Json& table) {
 
 Json resolved_case(const CaseConfig& config) {
   auto tree = resolve(case_keys(), config);
+  for (const auto& [name, signal] : config.signals) tree["signals"][name] = resolve(signal_keys(), signal);
+  for (std::size_t side = 0; side < 6; ++side)
+    if (const auto* patches = patches_of(config.boundary[side]))
+      for (const auto& patch : *patches)
+        tree["boundary"][side_names()[side]]["patches"].push_back(resolve(patch_keys(), patch));
   for (const auto& body : config.bodies) tree["body"].push_back(resolve(body_keys(), body));
   return tree;
 }

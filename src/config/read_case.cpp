@@ -23,6 +23,8 @@ class Reader {
     config.folder = document_.file.has_parent_path() ? document_.file.parent_path() : ".";
     origins_ = &config.origins;
     apply(case_keys(), document_.root, config);
+    read_signals(config);
+    read_patches(config);
     for (const auto& scope : document_.bodies) {
       BodyConfig body;
       apply(body_keys(), scope, body);
@@ -39,6 +41,36 @@ class Reader {
   const std::set<std::string>& suspect() const { return suspect_; }
 
  private:
+  void read_signals(CaseConfig& config) {
+    for (const auto& [name, scope] : document_.signals) {
+      const auto key = "signals." + name;
+      config.origins.emplace(key, scope.origin);
+      apply(signal_keys(), scope, config.signals[name]);
+      if (!scope.find("table") && !scope.find("csv") && !scope.find("formula")) {
+        suspect_.insert(key);
+        problems_.push_back(fmt::format(
+            "{}: {} has no values; give it table = [[t, v], ...], csv = \"FILE\" or formula = \"...\"", scope.origin,
+            key));
+      }
+    }
+  }
+
+  void read_patches(CaseConfig& config) {
+    for (const auto& [side, scope] : document_.patches) {
+      PatchConfig patch;
+      const auto key = scope.prefix.substr(0, scope.prefix.size() - 1);
+      config.origins.emplace(key, scope.origin);
+      apply(patch_keys(), scope, patch);
+      const auto at = static_cast<std::size_t>(side);
+      const bool forgiven = overridden_ && scope.origin.rfind("--set", 0) != 0;
+      if (auto* patches = patches_of(config.boundary[at])) patches->push_back(std::move(patch));
+      else if (!forgiven && suspect_.count("boundary." + side_names()[at] + ".type") == 0)
+        problems_.push_back(fmt::format(
+            "{}: {} is on a side of type \"{}\"; only \"wall\" and \"free-slip\" sides of z have patches", scope.origin,
+            key, boundary_word(config.boundary[at])));
+    }
+  }
+
   void complain(const Scope& scope, const std::string& path, const std::string& origin, const std::string& what) {
     suspect_.insert(scope.prefix + path);
     problems_.push_back(fmt::format("{}: {}{} {}", origin, scope.prefix, path, what));
@@ -98,11 +130,13 @@ std::filesystem::path find_case_file(const std::filesystem::path& path) {
   return std::filesystem::is_directory(path, error) ? path / "case.toml" : path;
 }
 
-CaseConfig read_case(const std::filesystem::path& path, std::span<const std::string> overrides, int ranks) {
+CaseConfig read_case(const std::filesystem::path& path, std::span<const std::string> overrides, int ranks,
+                     const CaseCheck& further) {
   Reader reader(read_document(find_case_file(path), overrides), !overrides.empty());
   auto config = reader.read();
   auto problems = std::move(reader.problems());
   for (auto& problem : validate(config, ranks, reader.suspect())) problems.push_back(std::move(problem));
+  if (further) further(config, reader.suspect(), problems);
   if (!problems.empty()) throw InputError(std::move(problems));
   return config;
 }

@@ -6,6 +6,7 @@
 #include <cctype>
 
 #include "config/key_table.hpp"
+#include "config/validate_patches.hpp"
 
 namespace pliant {
 namespace {
@@ -23,6 +24,7 @@ class Validator {
     check_forcing();
     check_initial_flow();
     check_bodies();
+    check_patches(config_, suspect_, problems_);
     return std::move(problems_);
   }
 
@@ -59,7 +61,7 @@ class Validator {
 
   void check_open_sides() {
     bool has_outflow = false;
-    for (const auto& side : config_.boundary) has_outflow |= std::holds_alternative<OutflowSide>(side);
+    for (const auto& side : config_.boundary) has_outflow |= lets_out(side);
     for (int side = 0; side < 6; ++side) {
       const auto name = "boundary." + side_names()[side];
       const auto* inflow = std::get_if<InflowSide>(&config_.boundary[side]);
@@ -71,7 +73,8 @@ class Validator {
                  fmt::format("has the component {} along {}, which does not point into the box; it must be {} than 0",
                              inflow->velocity[d], name_of(d), side % 2 == 0 ? "greater" : "less"));
       if (!has_outflow)
-        complain(name + ".type", "is \"inflow\", but nothing lets the fluid out again; give another side type = \"outflow\"");
+        complain(name + ".type", "is \"inflow\", but nothing lets the fluid out again; give another side type = \"outflow\", or a "
+                 "side of z a patch with balance = true");
     }
   }
 

@@ -9,6 +9,7 @@
 #include <string>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "config/word.hpp"
 #include "core/vec3.hpp"
@@ -128,6 +129,62 @@ struct ValueCodec<Vec3> : TripleCodec<Vec3, double> {
 template <>
 struct ValueCodec<std::array<int, 3>> : TripleCodec<std::array<int, 3>, int> {
   static std::string type_name() { return "3 integers"; }
+};
+
+template <>
+struct ValueCodec<bool> {
+  static std::string type_name() { return "true or false"; }
+  static std::string legal(const Limits&) { return "true, false"; }
+  static std::optional<std::string> read(const Json& value, bool& out, const Limits&) {
+    if (!value.is_boolean()) return "must be true or false, not " + describe_value(value);
+    out = value.get<bool>();
+    return std::nullopt;
+  }
+  static Json write(bool value) { return value; }
+};
+
+template <>
+struct ValueCodec<std::array<double, 2>> {
+  using Pair = std::array<double, 2>;
+  static std::string type_name() { return "2 numbers"; }
+  static std::string legal(const Limits& limits) { return TripleCodec<Pair, double>::legal(limits); }
+  static std::optional<std::string> read(const Json& value, Pair& out, const Limits& limits) {
+    if (!value.is_array() || value.size() != 2)
+      return "must be an array of 2 numbers, not " + describe_value(value);
+    Pair result{};
+    for (std::size_t d = 0; d < 2; ++d) {
+      if (auto problem = ValueCodec<double>::read(value[d], result[d], limits))
+        return (d == 0 ? "first number " : "second number ") + *problem;
+    }
+    out = result;
+    return std::nullopt;
+  }
+  static Json write(const Pair& value) { return Json::array({value[0], value[1]}); }
+};
+
+/// A list of pairs, [[t, v], ...].
+template <>
+struct ValueCodec<std::vector<std::array<double, 2>>> {
+  using Pair = std::array<double, 2>;
+  static std::string type_name() { return "list of 2 numbers"; }
+  static std::string legal(const Limits&) { return "not empty"; }
+  static std::optional<std::string> read(const Json& value, std::vector<Pair>& out, const Limits& limits) {
+    if (!value.is_array() || value.empty())
+      return "must be a list of pairs [[t, v], ...], not " + describe_value(value);
+    std::vector<Pair> result(value.size());
+    for (std::size_t n = 0; n < result.size(); ++n) {
+      if (auto problem = ValueCodec<Pair>::read(value[n], result[n], limits))
+        return "pair " + std::to_string(n + 1) + " " + *problem;
+    }
+    out = std::move(result);
+    return std::nullopt;
+  }
+  static Json write(const std::vector<Pair>& value) {
+    if (value.empty()) return Json();
+    auto list = Json::array();
+    for (const auto& pair : value) list.push_back(ValueCodec<Pair>::write(pair));
+    return list;
+  }
 };
 
 /// Words, listed by words_of<E>().

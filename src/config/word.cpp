@@ -18,6 +18,19 @@ Words<InflowProfile> words_of<InflowProfile>() {
 }
 
 template <>
+Words<PatchShape> words_of<PatchShape>() {
+  return {{"disc", PatchShape::disc},
+          {"annulus", PatchShape::annulus},
+          {"rectangle", PatchShape::rectangle},
+          {"outside", PatchShape::outside}};
+}
+
+template <>
+Words<PatchProfile> words_of<PatchProfile>() {
+  return {{"uniform", PatchProfile::uniform}, {"parabolic", PatchProfile::parabolic}};
+}
+
+template <>
 Words<InitialFlow> words_of<InitialFlow>() {
   return {{"rest", InitialFlow::rest},
           {"uniform", InitialFlow::uniform},

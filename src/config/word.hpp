@@ -21,6 +21,10 @@ Words<StretchingLaw> words_of<StretchingLaw>();
 template <>
 Words<InflowProfile> words_of<InflowProfile>();
 template <>
+Words<PatchShape> words_of<PatchShape>();
+template <>
+Words<PatchProfile> words_of<PatchProfile>();
+template <>
 Words<InitialFlow> words_of<InitialFlow>();
 template <>
 Words<ViscousMode> words_of<ViscousMode>();

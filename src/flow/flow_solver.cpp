@@ -45,7 +45,7 @@ struct FlowSolver::Impl {
         phi(g),
         rules{velocity_rules(p.boundary, 0), velocity_rules(p.boundary, 1), velocity_rules(p.boundary, 2)},
         rules_p(pressure_rules(p.boundary)),
-        open(g, p.boundary),
+        open(g, p.boundary, p.signals),
         halo(g.ranks(), halo_ends(g), g.nz()),
         poisson(g, phi) {
     for (int c = 0; c < 3; ++c) open.lend_values(rules[static_cast<std::size_t>(c)], c);
@@ -270,6 +270,8 @@ double FlowSolver::time() const { return impl_->time; }
 void FlowSolver::set_time(double time) { impl_->time = time; }
 bool FlowSolver::has_open_sides() const { return impl_->open.any(); }
 double FlowSolver::net_outward_flux() const { return impl_->open.net_outward_flux(); }
+std::vector<PatchFlowRate> FlowSolver::patch_flow_rates() const { return impl_->open.patch_flow_rates(); }
+double FlowSolver::largest_side_rate(double end) const { return impl_->open.largest_rate(end); }
 double FlowSolver::bulk_forcing() const { return impl_->forcing_of_step; }
 void FlowSolver::fill_ghosts() { impl_->fill_state_ghosts(); }
 

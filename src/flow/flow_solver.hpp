@@ -10,6 +10,7 @@
 #include "core/timer.hpp"
 #include "field/field.hpp"
 #include "field/row_table.hpp"
+#include "signals/signal.hpp"
 
 namespace pliant {
 
@@ -45,6 +46,7 @@ struct FlowParameters {
   double viscosity = 1.0;  ///< kinematic
   ViscousMode viscous = ViscousMode::implicit;
   BoundaryConfig boundary;
+  Signals signals;  ///< those that the boundary names
   ForcingConfig forcing;
 };
 
@@ -75,6 +77,10 @@ class FlowSolver {
   bool has_open_sides() const;
   /// Net flux out of the box through its open sides. Collective.
   double net_outward_flux() const;
+  /// What flows into the box through the patches of its sides now, in the order of the case.
+  std::vector<PatchFlowRate> patch_flow_rates() const;
+  /// The largest convective rate that patches and inflows with a signal ask for until `end`; 0 if there are none.
+  double largest_side_rate(double end) const;
 
   /// One full step. Collective. Leaves the divergence at round-off and all ghosts filled.
   void advance(double dt, const PredictedFlowHook& hook = nullptr);

@@ -8,16 +8,27 @@ namespace pliant {
 namespace {
 
 std::vector<double> to_row(Moment moment, const HistoryRow& row) {
-  return {static_cast<double>(moment.step),
-          moment.time,
-          row.dt,
-          row.cfl,
-          row.divergence,
-          row.kinetic_energy,
-          row.bulk_velocity.x,
-          row.bulk_velocity.y,
-          row.bulk_velocity.z,
-          row.bulk_forcing};
+  std::vector<double> values{static_cast<double>(moment.step),
+                             moment.time,
+                             row.dt,
+                             row.cfl,
+                             row.divergence,
+                             row.kinetic_energy,
+                             row.bulk_velocity.x,
+                             row.bulk_velocity.y,
+                             row.bulk_velocity.z,
+                             row.bulk_forcing};
+  values.insert(values.end(), row.patch_flow_rates.begin(), row.patch_flow_rates.end());
+  return values;
+}
+
+std::vector<std::string> history_columns(const BoundaryConfig& boundary) {
+  std::vector<std::string> columns{"step",   "time",   "dt",     "cfl",    "divergence", "kinetic_energy",
+                                   "bulk_u", "bulk_v", "bulk_w", "bulk_forcing"};
+  for (const auto& side : boundary)
+    if (const auto* patches = patches_of(side))
+      for (const auto& patch : *patches) columns.push_back("flow_" + patch.name);
+  return columns;
 }
 
 }  // namespace
@@ -33,9 +44,7 @@ Outputs::Outputs(const std::filesystem::path& folder, const CaseConfig& config, 
     surfaces_.emplace_back(folder, body.name, std::vector<Face>(faces.begin(), faces.end()), ranks_);
   }
   do_on_root(ranks_, [&] {
-    history_table_.emplace(folder / "history.csv",
-                           std::vector<std::string>{"step", "time", "dt", "cfl", "divergence", "kinetic_energy",
-                                                    "bulk_u", "bulk_v", "bulk_w", "bulk_forcing"});
+    history_table_.emplace(folder / "history.csv", history_columns(config.boundary));
     if (bodies.size() > 0) std::filesystem::create_directories(folder / "bodies");
     for (std::size_t b = 0; b < bodies.size(); ++b)
       body_tables_.push_back(

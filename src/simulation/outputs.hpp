@@ -18,6 +18,7 @@ struct HistoryRow {
   double dt = 0, cfl = 0, divergence = 0, kinetic_energy = 0;
   Vec3 bulk_velocity;
   double bulk_forcing = 0;
+  std::vector<double> patch_flow_rates;  ///< one column each, in the order of the case
 };
 
 enum class Urgency {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <optional>
@@ -12,6 +13,7 @@
 #include "core/version.hpp"
 #include "parallel/agree.hpp"
 #include "io/run_report.hpp"
+#include "signals/make_signal.hpp"
 #include "simulation/output_folder.hpp"
 #include "simulation/outputs.hpp"
 #include "simulation/stop_signals.hpp"
@@ -27,6 +29,7 @@ FlowParameters flow_parameters(const CaseConfig& config) {
   parameters.viscosity = config.fluid.viscosity / config.fluid.density;
   parameters.viscous = config.time.viscous;
   parameters.boundary = config.boundary;
+  parameters.signals = make_signals(config);
   parameters.forcing = config.forcing;
   return parameters;
 }
@@ -70,6 +73,7 @@ struct Simulation::Impl {
   Grid grid;
   Bodies bodies;
   FlowSolver flow;
+  double side_rate;  // convective, that the signals of the sides ask for at some time
   MlsSampler sampler;
   std::optional<Outputs> outputs;
   std::optional<RunReport> run_report;  // on the root
@@ -92,6 +96,7 @@ Simulation::Impl::Impl(const CaseConfig& case_config, const Communicator& commun
       grid(config.box, config.boundary, ranks),
       bodies(config, grid),
       flow(grid, flow_parameters(config)),
+      side_rate(flow.largest_side_rate(config.time.end)),
       sampler(grid, {&flow.state().u, &flow.state().v, &flow.state().w, &flow.state().p}, config.fluid.density),
       progress(log, ranks.is_root() ? options.progress : ProgressStyle::silent,
                {config.time.end, config.time.max_steps.value_or(-1),
@@ -189,7 +194,7 @@ bool Simulation::Impl::is_at_end() const {
 double Simulation::Impl::choose_step() {
   const auto scope = timer.measure("diagnostics");
   if (!config.time.step && !rate) rate = flow.convective_rate();
-  const auto limits = step_limits(config, grid, rate.value_or(0), flow.viscous_step_limit());
+  const auto limits = step_limits(config, grid, std::max(rate.value_or(0), side_rate), flow.viscous_step_limit());
   next_event = std::min(config.time.end, outputs->next_time(now.time));
   const double step = step_towards(limits.smallest(), next_event - now.time);
   if (!(now.time + step > now.time))
@@ -243,6 +248,7 @@ void Simulation::Impl::record(Record wanted) {
     row.kinetic_energy = flow.kinetic_energy();
     row.bulk_velocity = flow.bulk_velocity();
     row.bulk_forcing = flow.bulk_forcing();
+    for (const auto& patch : flow.patch_flow_rates()) row.patch_flow_rates.push_back(patch.value);
     outputs->write_history(now, row, bodies);
   }
   if (shown && now.step != last_shown) progress.show({now.step, now.time, dt, row.cfl, row.divergence});

@@ -27,10 +27,10 @@ struct StepLimits {
 /// The part of `viscous_step_limit` that is used: at the limit itself the highest modes are not damped.
 inline constexpr double viscous_margin = 0.9;
 
-/// The limits for a flow whose convective rate is `rate` [1/time]; `viscous_limit` as FlowSolver gives it.
+/// The limits for a flow whose convective rate is, or will be, `rate` [1/time]; `viscous_limit` as FlowSolver gives it.
 StepLimits step_limits(const CaseConfig& config, const Grid& grid, double rate, double viscous_limit);
 
-/// The convective rate that the walls and the forcing prescribe before the flow has it.
+/// The convective rate that walls, steady inflows and the forcing prescribe before the flow has it.
 double prescribed_rate(const CaseConfig& config, const Grid& grid);
 
 /// A step of at most `limit` that divides the time `remaining` to the next event into equal steps, so that the event is

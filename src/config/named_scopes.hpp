@@ -1,0 +1,21 @@
+#pragma once
+#include <set>
+#include <vector>
+
+#include "config/flatten.hpp"
+
+namespace pliant {
+
+/// The tables [signals.NAME] of a case.
+std::vector<SignalScope> read_signals(const toml::table& root, const OriginOf& origin_of,
+                                      std::vector<std::string>& problems);
+
+struct PatchLists {
+  std::set<int> sides;  ///< those that have a list of patches, be it empty
+  std::vector<PatchScope> patches;
+};
+
+/// The lists of patches under the sides of [boundary].
+PatchLists read_patches(const toml::table& root, const OriginOf& origin_of, std::vector<std::string>& problems);
+
+}  // namespace pliant

@@ -1,0 +1,41 @@
+#include "config/key_table.hpp"
+
+namespace pliant {
+namespace {
+using SignalKey = Key<SignalConfig>;
+
+/// A text that is not given is empty, and stays out of the print-out.
+template <class Text>
+SignalKey text_key(KeyText text, Text SignalConfig::*member) {
+  auto key = make_key<SignalConfig>(std::move(text), [member](auto& s) { return &(s.*member); });
+  key.default_value = Json();
+  key.get = [member](const SignalConfig& signal) {
+    return (signal.*member).empty() ? Json() : ValueCodec<Text>::write(signal.*member);
+  };
+  return key;
+}
+}  // namespace
+
+std::vector<Key<SignalConfig>> signal_keys() {
+  std::vector<SignalKey> keys;
+  keys.push_back(instead_of(make_key<SignalConfig>({"table", "",
+                                                    "[[t, v], ...], times growing; between them a monotone cubic, "
+                                                    "before and after them the first and the last value"},
+                                                   [](auto& s) { return &s.table; }),
+                            {"csv", "formula"}));
+  keys.push_back(instead_of(
+      text_key({"csv", "", "a file with such a table: lines `t, v`; a header line and # comments are skipped"},
+               &SignalConfig::csv),
+      {"formula"}));
+  keys.push_back(text_key({"formula", "",
+                           "of t, such as `0.5*(1-cos(pi*t))`: arithmetic, `^`, comparisons, `a ? b : c`, pi, and sin, cos, tan, "
+                           "asin, acos, atan, sinh, cosh, tanh, exp, ln, log10, sqrt, abs, sign, rint, min, max"},
+                          &SignalConfig::formula));
+  keys.push_back(make_key<SignalConfig>(
+      {"period", "time", "a table is repeated with it; a formula gets t modulo it"}, [](auto& s) { return &s.period; },
+      positive()));
+  keys.push_back(make_key<SignalConfig>({"scale", "", "factor on the values"}, [](auto& s) { return &s.scale; }));
+  return keys;
+}
+
+}  // namespace pliant
