@@ -13,6 +13,10 @@ std::vector<Key<CaseConfig>> case_keys();
 /// Every key of one [[body]].
 std::vector<Key<BodyConfig>> body_keys();
 
+/// The keys of a body's surface, and those of its place and copies; they append to `keys`.
+void add_surface_keys(std::vector<Key<BodyConfig>>& keys);
+void add_placement_keys(std::vector<Key<BodyConfig>>& keys);
+
 /// The names of the sides, in the order of BoundaryConfig: "x-", "x+", ... "z+".
 std::array<std::string, 6> side_names();
 
