@@ -12,35 +12,47 @@
 #include "mesh/geometry.hpp"
 #include "signals/make_signal.hpp"
 #include "structure/make_body.hpp"
+#include "structure/overlap.hpp"
+#include "structure/place_bodies.hpp"
 
 namespace pliant {
 namespace {
-void check_surface_file(const CaseConfig& config, std::size_t index, std::vector<std::string>& problems) {
-  const auto& body = config.bodies[index];
-  if (!std::holds_alternative<FileSurface>(body.surface)) return;  // the case's reader knows how far a sphere reaches
-  const auto surface = load_surface(body, config.folder);
-  Vec3 lower = surface.positions.front(), upper = lower;
-  for (const Vec3 x : surface.positions) {
+/// A body or one of its copies, at its place.
+struct PlacedCopy {
+  const BodyConfig& body;
+  std::string place;  ///< for messages
+  const TriangleMesh& mesh;
+  std::vector<Vec3> positions;
+};
+
+void check_extent(const CaseConfig& config, const PlacedCopy& copy, std::vector<std::string>& problems) {
+  Vec3 lower = copy.positions.front(), upper = lower;
+  for (const Vec3 x : copy.positions) {
     for (int d = 0; d < 3; ++d) {
       lower[d] = std::min(lower[d], x[d]);
       upper[d] = std::max(upper[d], x[d]);
     }
   }
-  check_body_extent(config, index, lower, upper, problems);
+  check_extent(config, copy.place, lower, upper, problems);
 }
 
-/// The flow is taken at the ends of the probes, which have to be in the box as the body has.
-void check_probes(const CaseConfig& config, std::size_t index, std::vector<std::string>& problems) {
-  const auto& body = config.bodies[index];
+/// How far from its surface a body's traction takes the flow.
+double probe_length(const CaseConfig& config, const BodyConfig& body) {
   const auto form = body.traction.form;
-  if (body.motion == MotionKind::fixed || (form != TractionForm::one_sided && form != TractionForm::gradient)) return;
+  if (body.motion == MotionKind::fixed || (form != TractionForm::one_sided && form != TractionForm::gradient)) return 0;
   const auto& box = config.box;
   const Vec3 spacing{box.size.x / box.cells[0], box.size.y / box.cells[1], box.size.z / box.cells[2]};
   const double given = body.traction.probe_length;
-  const double length = given > 0 ? given : (spacing.x + spacing.y + spacing.z) / 3;
-  const auto surface = load_surface(body, config.folder);
-  const auto centroids = face_centroids(surface.mesh, surface.positions);
-  const auto normals = face_normals(surface.mesh, surface.positions);
+  return given > 0 ? given : (spacing.x + spacing.y + spacing.z) / 3;
+}
+
+/// The flow is taken at the ends of the probes, which have to be in the box as the body has.
+void check_probes(const CaseConfig& config, const PlacedCopy& copy, std::vector<std::string>& problems) {
+  const double length = probe_length(config, copy.body);
+  if (length == 0) return;
+  const auto& box = config.box;
+  const auto centroids = face_centroids(copy.mesh, copy.positions);
+  const auto normals = face_normals(copy.mesh, copy.positions);
   for (int d = 0; d < 3; ++d) {
     if (is_periodic(config.boundary, d)) continue;
     const auto is_outside = [&](std::size_t f) {
@@ -53,24 +65,56 @@ void check_probes(const CaseConfig& config, std::size_t index, std::vector<std::
     problems.push_back(fmt::format(
         "{} is too close to a side of {}: the probes of its traction, of length {:.4g}, end outside the box; shorten "
         "traction.probe_length, move the body, or choose traction.form = \"drag\"",
-        place_of(config, "body." + body.name), "xyz"[d], length));
+        copy.place, "xyz"[d], length));
   }
+}
+
+/// Whether a ball, `margin` larger, stays off all sides that are not periodic.
+bool is_clear_of_sides(const CaseConfig& config, const BoundingSphere& sphere, double margin) {
+  for (int d = 0; d < 3; ++d) {
+    if (is_periodic(config.boundary, d)) continue;
+    const double reach = sphere.radius + margin, begin = config.box.origin[d];
+    if (sphere.center[d] - reach < begin || sphere.center[d] + reach > begin + config.box.size[d]) return false;
+  }
+  return true;
+}
+
+bool fits_beside_its_images(const CaseConfig& config, const BoundingSphere& sphere) {
+  for (int d = 0; d < 3; ++d)
+    if (is_periodic(config.boundary, d) && 2 * sphere.radius > config.box.size[d]) return false;
+  return true;
+}
+
+void check_copies(const CaseConfig& config, std::size_t index, const PlacedBody& placed,
+                  std::vector<std::string>& problems) {
+  constexpr std::size_t enough = 20;
+  const auto& body = config.bodies[index];
+  const auto before = problems.size();
+  for (std::size_t i = 0; i < placed.placements.size() && problems.size() < before + enough; ++i) {
+    const auto sphere = place(placed.sphere, placed.placements[i]);
+    if (is_clear_of_sides(config, sphere, probe_length(config, body)) && fits_beside_its_images(config, sphere))
+      continue;
+    auto where = place_of(config, "body." + body.name);
+    if (has_copies(body)) where += ", copy " + copy_name(body, i, placed.placements.size()) + ",";
+    const PlacedCopy copy{body, where, placed.shape.mesh, place(placed.shape.positions, placed.placements[i])};
+    const auto so_far = problems.size();
+    check_extent(config, copy, problems);
+    if (problems.size() == so_far) check_probes(config, copy, problems);
+  }
+}
+
+void check_bodies(const CaseConfig& config) {
+  const auto placed = place_bodies(config);
+  std::vector<std::string> problems;
+  for (std::size_t b = 0; b < placed.size(); ++b) check_copies(config, b, placed[b], problems);
+  for (auto& problem : find_overlaps(config, placed)) problems.push_back(std::move(problem));
+  if (!problems.empty()) throw InputError(std::move(problems));
 }
 }  // namespace
 
 CaseConfig load_case(const CaseArguments& arguments, int ranks) {
   const auto config = read_case(arguments.path, arguments.overrides, ranks, check_signals);
-  std::vector<std::string> problems;
-  for (std::size_t i = 0; i < config.bodies.size(); ++i) {
-    try {
-      const auto before = problems.size();
-      check_surface_file(config, i, problems);
-      if (problems.size() == before) check_probes(config, i, problems);
-    } catch (const InputError& error) {
-      problems.insert(problems.end(), error.problems().begin(), error.problems().end());
-    }
-  }
-  if (!problems.empty()) throw InputError(std::move(problems));
+  check_bodies(config);
   return config;
 }
 

@@ -1,18 +1,26 @@
 #include <fmt/format.h>
 
+#include <map>
 #include <memory>
 
 #include "app/command.hpp"
 #include "core/error.hpp"
 #include "mesh/describe.hpp"
 #include "mesh/read_surface.hpp"
+#include "mesh/shapes/box.hpp"
+#include "mesh/shapes/cylinder.hpp"
+#include "mesh/shapes/disc.hpp"
+#include "mesh/shapes/ellipsoid.hpp"
 #include "mesh/shapes/icosphere.hpp"
+#include "mesh/shapes/plate.hpp"
 
 namespace pliant {
 namespace {
 struct MeshArguments {
   int frequency = 8;
-  double radius = 1.0;
+  double radius = 1.0, height = 1.0, edge = 0.1;
+  std::vector<double> semi_axes{1, 1, 1}, plate{1, 1}, box{1, 1, 1};
+  Ends ends = Ends::capped;
   std::string input, output;
 };
 
@@ -29,6 +37,70 @@ Action on_root(std::function<void()> work) {
     return exit_success;
   };
 }
+
+using Arguments = std::shared_ptr<MeshArguments>;
+
+/// A subcommand that makes a shape and writes it; the caller adds the options that are its sizes.
+CLI::App* add_shape(CLI::App& mesh, Action& action, const Arguments& arguments, const std::string& name,
+                    const std::string& text, std::function<Surface(const MeshArguments&)> make) {
+  auto* shape = mesh.add_subcommand(name, text);
+  shape->add_option("-o,--output", arguments->output, "The file to write: .gts, .stl, .obj or .ply")->required();
+  shape->callback([arguments, &action, make = std::move(make)] {
+    action = on_root([arguments, make] { write_and_tell(arguments->output, make(*arguments)); });
+  });
+  return shape;
+}
+
+void add_frequency(CLI::App& shape, const Arguments& arguments) {
+  shape.add_option("--frequency", arguments->frequency, "Parts of each edge of the icosahedron")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+}
+void add_radius(CLI::App& shape, const Arguments& arguments) {
+  shape.add_option("--radius", arguments->radius, "Of the " + shape.get_name())->capture_default_str();
+}
+void add_edge(CLI::App& shape, const Arguments& arguments) {
+  shape.add_option("--edge", arguments->edge, "About how long the edges of the faces are")->capture_default_str();
+}
+
+void add_shapes(CLI::App& mesh, Action& action, const Arguments& arguments) {
+  auto* sphere = add_shape(mesh, action, arguments, "sphere", "A geodesic sphere of 10 f^2 + 2 vertices",
+                           [](const auto& a) { return make_icosphere(a.frequency, a.radius); });
+  add_frequency(*sphere, arguments);
+  add_radius(*sphere, arguments);
+
+  auto* ellipsoid =
+      add_shape(mesh, action, arguments, "ellipsoid", "A geodesic sphere scaled along x, y and z", [](const auto& a) {
+        return make_ellipsoid(a.frequency, {a.semi_axes[0], a.semi_axes[1], a.semi_axes[2]});
+      });
+  add_frequency(*ellipsoid, arguments);
+  ellipsoid->add_option("--semi-axes", arguments->semi_axes, "Along x, y and z")->expected(3)->capture_default_str();
+
+  auto* plate = add_shape(mesh, action, arguments, "plate", "An open rectangle in the x-y plane",
+                          [](const auto& a) { return make_plate(a.plate[0], a.plate[1], a.edge); });
+  plate->add_option("--size", arguments->plate, "Along x and y")->expected(2)->capture_default_str();
+  add_edge(*plate, arguments);
+
+  auto* disc = add_shape(mesh, action, arguments, "disc", "An open disc in the x-y plane",
+                         [](const auto& a) { return make_disc(a.radius, a.edge); });
+  auto* half = add_shape(mesh, action, arguments, "half-disc", "The half of a disc at x >= 0, open",
+                         [](const auto& a) { return make_half_disc(a.radius, a.edge); });
+  auto* cylinder = add_shape(mesh, action, arguments, "cylinder", "A cylinder along z, closed by caps or an open tube",
+                             [](const auto& a) { return make_cylinder(a.radius, a.height, a.edge, a.ends); });
+  for (auto* shape : {disc, half, cylinder}) {
+    add_radius(*shape, arguments);
+    add_edge(*shape, arguments);
+  }
+  cylinder->add_option("--height", arguments->height, "Along z")->capture_default_str();
+  const std::map<std::string, Ends> words{{"capped", Ends::capped}, {"open", Ends::open}};
+  cylinder->add_option("--ends", arguments->ends, "capped or open")->transform(CLI::CheckedTransformer(words));
+
+  auto* box = add_shape(mesh, action, arguments, "box", "A box with its edges along x, y and z", [](const auto& a) {
+    return make_box({a.box[0], a.box[1], a.box[2]}, a.edge);
+  });
+  box->add_option("--size", arguments->box, "Along x, y and z")->expected(3)->capture_default_str();
+  add_edge(*box, arguments);
+}
 }  // namespace
 
 void add_mesh_command(CLI::App& app, Action& action) {
@@ -36,16 +108,7 @@ void add_mesh_command(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand("mesh", "Make, inspect and convert surfaces");
   command->require_subcommand(1);
 
-  auto* sphere = command->add_subcommand("sphere", "A geodesic sphere of 10 f^2 + 2 vertices");
-  sphere->add_option("--frequency", arguments->frequency, "Parts of each edge of the icosahedron")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
-  sphere->add_option("--radius", arguments->radius, "Of the sphere")->capture_default_str();
-  sphere->add_option("-o,--output", arguments->output, "The file to write: .gts, .stl, .obj or .ply")->required();
-  sphere->callback([arguments, &action] {
-    action = on_root(
-        [arguments] { write_and_tell(arguments->output, make_icosphere(arguments->frequency, arguments->radius)); });
-  });
+  add_shapes(*command, action, arguments);
 
   auto* info = command->add_subcommand("info", "Counts, area, volume, edges, angles, and whether it is sound");
   info->add_option("FILE", arguments->input, "The surface")->required();

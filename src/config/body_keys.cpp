@@ -5,106 +5,12 @@ namespace pliant {
 namespace {
 using BodyKey = Key<BodyConfig>;
 
-bool is_sphere(const BodyConfig& body) { return std::holds_alternative<SphereSurface>(body.surface); }
-bool is_file(const BodyConfig& body) { return std::holds_alternative<FileSurface>(body.surface); }
 bool is_deformable(const BodyConfig& body) { return body.motion == MotionKind::deformable; }
-
-/// surface.shape and surface.file choose the alternative, so they make it; the other keys only fill it in.
-BodyKey shape_key() {
-  BodyKey key;
-  key.path = "surface.shape";
-  key.doc = "a built-in surface: a geodesic sphere of 10 f^2 + 2 vertices";
-  key.type = "word";
-  key.legal = "\"sphere\"";
-  key.set = [](BodyConfig& body, const Json& value) -> std::optional<std::string> {
-    if (!value.is_string()) return "must be a word, not " + describe_value(value);
-    if (value != "sphere") return unknown_word(value.get<std::string>(), "\"sphere\"");
-    body.surface = SphereSurface{};
-    return std::nullopt;
-  };
-  key.get = [](const BodyConfig& body) { return is_sphere(body) ? Json("sphere") : Json(); };
-  return key;
-}
-
-BodyKey file_key() {
-  using Codec = ValueCodec<std::filesystem::path>;
-  BodyKey key;
-  key.path = "surface.file";
-  key.doc = "a triangle mesh read from a file (GTS, STL, OBJ or PLY)";
-  key.type = Codec::type_name();
-  key.legal = Codec::legal({});
-  key.excludes = {"surface.shape", "surface.frequency", "surface.radius", "surface.diameter"};
-  key.set = [](BodyConfig& body, const Json& value) {
-    FileSurface surface;
-    auto problem = Codec::read(value, surface.file, {});
-    if (!problem) body.surface = surface;
-    return problem;
-  };
-  key.get = [](const BodyConfig& body) {
-    const auto* surface = std::get_if<FileSurface>(&body.surface);
-    return surface ? Json(surface->file.string()) : Json();
-  };
-  return key;
-}
-
-BodyKey for_spheres(BodyKey key) {
-  return only_when<BodyConfig>(std::move(key), "surface.shape is \"sphere\"", is_sphere);
-}
-
-BodyKey diameter_key() {
-  BodyKey key;
-  key.path = "surface.diameter";
-  key.unit = "length";
-  key.doc = "of the sphere; another way to give its radius";
-  key.type = "number";
-  key.legal = describe(positive());
-  key.excludes = {"surface.radius"};
-  key.set = [](BodyConfig& body, const Json& value) {
-    double diameter = 0;
-    auto problem = ValueCodec<double>::read(value, diameter, positive());
-    auto* sphere = std::get_if<SphereSurface>(&body.surface);
-    if (!problem && sphere) sphere->radius = diameter / 2;
-    return problem;
-  };
-  key.get = [](const BodyConfig&) { return Json(); };
-  return for_spheres(std::move(key));
-}
-
-void add_surface(std::vector<BodyKey>& keys) {
-  keys.push_back(shape_key());
-  keys.push_back(for_spheres(make_key<BodyConfig>(
-      {"surface.frequency", "", "each edge of the icosahedron is cut in so many parts"},
-      [](auto& b) {
-        auto* s = std::get_if<SphereSurface>(&b.surface);
-        return s ? &s->frequency : nullptr;
-      },
-      between(1, 1000))));
-  keys.push_back(for_spheres(make_key<BodyConfig>(
-      {"surface.radius", "length", "of the sphere"},
-      [](auto& b) {
-        auto* s = std::get_if<SphereSurface>(&b.surface);
-        return s ? &s->radius : nullptr;
-      },
-      positive())));
-  keys.push_back(diameter_key());
-  keys.push_back(file_key());
-  auto scale = make_key<BodyConfig>(
-      {"surface.scale", "", "factor on the coordinates in the file"},
-      [](auto& b) {
-        auto* s = std::get_if<FileSurface>(&b.surface);
-        return s ? &s->scale : nullptr;
-      },
-      positive());
-  scale.default_value = FileSurface{}.scale;
-  keys.push_back(only_when<BodyConfig>(std::move(scale), "surface.file is given", is_file));
-}
 
 void add_motion(std::vector<BodyKey>& keys) {
   const auto deformable = [](BodyKey key) {
     return only_when<BodyConfig>(std::move(key), "motion is \"deformable\"", is_deformable);
   };
-  keys.push_back(make_key<BodyConfig>({"center", "length", "where the surface's origin is put"},
-                                      [](auto& b) { return &b.center; }));
   add_motion_keys(keys);
   keys.push_back(deformable(make_key<BodyConfig>(
       {"mass_per_vertex", "mass", "of each vertex in Newton's law"}, [](auto& b) { return &b.mass_per_vertex; },
@@ -216,7 +122,8 @@ std::vector<Key<BodyConfig>> body_keys() {
   std::vector<BodyKey> keys;
   keys.push_back(required(make_key<BodyConfig>({"name", "", "names the body's output files and its keys in --set"},
                                                [](auto& b) { return &b.name; })));
-  add_surface(keys);
+  add_surface_keys(keys);
+  add_placement_keys(keys);
   add_motion(keys);
   add_traction(keys);
   add_potentials(keys);

@@ -119,11 +119,56 @@ struct SphereSurface {
   int frequency = 8;
   double radius = 1.0;
 };
+struct EllipsoidSurface {
+  int frequency = 8;
+  Vec3 semi_axes{1, 1, 1};
+};
+struct PlateSurface {
+  std::array<double, 2> size{1, 1};  ///< along x and y
+  double edge = 0.1;
+};
+struct DiscSurface {
+  double radius = 1.0, edge = 0.1;
+};
+struct HalfDiscSurface {
+  double radius = 1.0, edge = 0.1;
+};
+enum class CylinderEnds { capped, open };
+struct CylinderSurface {
+  double radius = 1.0, height = 1.0, edge = 0.1;
+  CylinderEnds ends = CylinderEnds::capped;
+};
+struct BoxSurface {
+  Vec3 size{1, 1, 1};
+  double edge = 0.1;
+};
 struct FileSurface {
   std::filesystem::path file;  ///< relative to the case's folder
   double scale = 1.0;
+  bool open = false;  ///< the mesh has borders
 };
-using SurfaceSpec = std::variant<SphereSurface, FileSurface>;
+using SurfaceSpec = std::variant<SphereSurface, EllipsoidSurface, PlateSurface, DiscSurface, HalfDiscSurface,
+                                 CylinderSurface, BoxSurface, FileSurface>;
+
+/// Whether a surface has borders: plates, discs, half-discs, tubes, and files that are said to.
+bool is_open_surface(const SurfaceSpec& surface);
+
+/// Turns a surface about its origin.
+struct RotationConfig {
+  Vec3 axis{0, 0, 1};
+  double angle = 0;  ///< degrees
+};
+
+enum class OrientationKind { given, random };
+/// Copies of a body: count of them at random places, or at the positions of a file; neither: one, at its center.
+struct PlacementConfig {
+  std::optional<int> count;
+  std::optional<std::filesystem::path> positions;  ///< relative to the case's folder
+  std::uint64_t seed = 1;
+  double gap = 0;  ///< least distance of a copy from other bodies and from bounded sides
+  std::optional<Vec3> region_lower, region_upper;  ///< the copies lie in it; none: in the box
+  OrientationKind orientation = OrientationKind::given;
+};
 
 enum class TractionForm { none, drag, one_sided, gradient };
 /// Whose area a vertex's drag counts: a network's drag belongs to its material, a liquid interface's to its present
@@ -209,7 +254,9 @@ struct HingeConfig {
 struct BodyConfig {
   std::string name;
   SurfaceSpec surface;
+  RotationConfig rotation;
   Vec3 center{0, 0, 0};
+  PlacementConfig placement;
   MotionKind motion = MotionKind::deformable;
   CouplingKind coupling = CouplingKind::automatic;
   PathConfig path;

@@ -18,6 +18,9 @@ std::vector<Key<SignalConfig>> signal_keys();
 
 /// Every key of one of a side's patches.
 std::vector<Key<PatchConfig>> patch_keys();
+/// The keys of a body's surface, and those of its place and copies; they append to `keys`.
+void add_surface_keys(std::vector<Key<BodyConfig>>& keys);
+void add_placement_keys(std::vector<Key<BodyConfig>>& keys);
 
 /// The names of the sides, in the order of BoundaryConfig: "x-", "x+", ... "z+".
 std::array<std::string, 6> side_names();

@@ -146,12 +146,36 @@ class Validator {
       if (body.name.size() > longest_name)
         complain(prefix + ".name",
                  fmt::format("has {} characters; it names files: use at most {}", body.name.size(), longest_name));
+      check_placement(body, prefix);
+      if (is_open_surface(body.surface) && body.potentials.volume)
+        complain(prefix + ".potentials.volume",
+                 "holds an enclosed volume, but the surface is open; remove the potential");
       const auto* sphere = std::get_if<SphereSurface>(&body.surface);
+      if (body.placement.count || body.placement.positions) continue;  // its copies are checked where they are placed
       const bool known = trusted({prefix + ".surface", prefix + ".surface.shape", prefix + ".surface.radius",
                                   prefix + ".surface.diameter", prefix + ".center", "box.size", "box.origin"});
       if (!sphere || !known) continue;
       const Vec3 reach{sphere->radius, sphere->radius, sphere->radius};
       check_body_extent(config_, i, body.center - reach, body.center + reach, problems_);
+    }
+  }
+
+  void check_placement(const BodyConfig& body, const std::string& prefix) {
+    const auto &lower = body.placement.region_lower, &upper = body.placement.region_upper;
+    if (!body.placement.count || (!lower && !upper)) return;
+    if (!trusted({"box.size", "box.origin", prefix + ".region", prefix + ".region.lower", prefix + ".region.upper"}))
+      return;
+    const auto& box = config_.box;
+    for (int d = 0; d < 3; ++d) {
+      const double from = lower ? (*lower)[d] : box.origin[d];
+      const double to = upper ? (*upper)[d] : box.origin[d] + box.size[d];
+      if (!(from < to))
+        complain(prefix + ".region", fmt::format("reaches from {} to {} along {}; its lower corner must be below its "
+                                                 "upper one",
+                                                 from, to, name_of(d)));
+      else if (to - from > box.size[d] * (1 + 1e-12))
+        complain(prefix + ".region", fmt::format("is {} long along {}, longer than the box ({}); shorten it", to - from,
+                                                 name_of(d), box.size[d]));
     }
   }
 
@@ -184,9 +208,8 @@ bool has_walls(const BoundaryConfig& boundary, int direction) {
          std::holds_alternative<WallSide>(boundary[2 * direction + 1]);
 }
 
-void check_body_extent(const CaseConfig& config, std::size_t index, Vec3 lower, Vec3 upper,
-                       std::vector<std::string>& problems) {
-  const auto place = place_of(config, "body." + config.bodies[index].name);
+void check_extent(const CaseConfig& config, const std::string& place, Vec3 lower, Vec3 upper,
+                  std::vector<std::string>& problems) {
   const auto& box = config.box;
   for (int d = 0; d < 3; ++d) {
     const double begin = box.origin[d], end = begin + box.size[d];
@@ -203,6 +226,11 @@ void check_body_extent(const CaseConfig& config, std::size_t index, Vec3 lower, 
                       place, lower[d], upper[d], name_of(d), begin, end));
     }
   }
+}
+
+void check_body_extent(const CaseConfig& config, std::size_t index, Vec3 lower, Vec3 upper,
+                       std::vector<std::string>& problems) {
+  check_extent(config, place_of(config, "body." + config.bodies[index].name), lower, upper, problems);
 }
 
 std::vector<std::string> validate(const CaseConfig& config, int ranks, const std::set<std::string>& suspect) {

@@ -17,6 +17,10 @@ std::vector<std::string> validate(const CaseConfig& config, int ranks, const std
 void check_body_extent(const CaseConfig& config, std::size_t index, Vec3 lower, Vec3 upper,
                        std::vector<std::string>& problems);
 
+/// The same for one copy of a body, which goes by `place` in the messages.
+void check_extent(const CaseConfig& config, const std::string& place, Vec3 lower, Vec3 upper,
+                  std::vector<std::string>& problems);
+
 /// "case.toml:12: body.drop" - where a key was set, and its name; the file alone for a default.
 std::string place_of(const CaseConfig& config, const std::string& key);
 

@@ -48,6 +48,16 @@ Words<ViscousMode> words_of<ViscousMode>() {
 }
 
 template <>
+Words<CylinderEnds> words_of<CylinderEnds>() {
+  return {{"capped", CylinderEnds::capped}, {"open", CylinderEnds::open}};
+}
+
+template <>
+Words<OrientationKind> words_of<OrientationKind>() {
+  return {{"given", OrientationKind::given}, {"random", OrientationKind::random}};
+}
+
+template <>
 Words<TractionForm> words_of<TractionForm>() {
   return {{"none", TractionForm::none},
           {"drag", TractionForm::drag},

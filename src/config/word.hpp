@@ -29,6 +29,10 @@ Words<InitialFlow> words_of<InitialFlow>();
 template <>
 Words<ViscousMode> words_of<ViscousMode>();
 template <>
+Words<CylinderEnds> words_of<CylinderEnds>();
+template <>
+Words<OrientationKind> words_of<OrientationKind>();
+template <>
 Words<TractionForm> words_of<TractionForm>();
 template <>
 Words<DragArea> words_of<DragArea>();

@@ -164,7 +164,7 @@ void check_edges(const SurfaceData& data, Closure closure, ProblemList& problems
       if (closure == Closure::closed)
         problems.at_face(face,
                          fmt::format("hole: the edge from {} to {} has only this face, but the body must be closed; "
-                                     "fill the hole",
+                                     "fill the hole, or say that the surface is open (surface.open = true)",
                                      problems.vertex_name(low), problems.vertex_name(high)));
     }
     i = end;

@@ -9,7 +9,6 @@
 #include "mesh/geometry.hpp"
 
 namespace pliant {
-namespace {
 
 int count_components(const TriangleMesh& mesh) {
   std::vector<int> parent(mesh.n_vertices());
@@ -28,6 +27,8 @@ int count_components(const TriangleMesh& mesh) {
   }
   return components;
 }
+
+namespace {
 
 /// Whether the faces around every vertex form one fan: neighbours equal faces (ring) or exceed them by one (open fan).
 bool has_single_fans(const TriangleMesh& mesh) {

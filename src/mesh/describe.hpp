@@ -16,6 +16,9 @@ struct MeshReport {
   Vec3 lower, upper;  ///< corners of the bounding box
 };
 
+/// How many parts there are that no edge connects; a vertex without faces is one.
+int count_components(const TriangleMesh& mesh);
+
 MeshReport describe(const Surface& surface);
 /// The report as aligned lines, ended by a newline.
 std::string format(const MeshReport& report);

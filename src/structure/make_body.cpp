@@ -7,25 +7,10 @@
 
 #include "core/error.hpp"
 #include "mesh/geometry.hpp"
-#include "mesh/read_surface.hpp"
-#include "mesh/shapes/icosphere.hpp"
+#include "structure/load_surface.hpp"
 #include "structure/stable_time_step.hpp"
 
 namespace pliant {
-
-Surface load_surface(const BodyConfig& config, const std::filesystem::path& folder) {
-  double scale = 1;
-  const auto load = [&]() -> Surface {
-    if (const auto* sphere = std::get_if<SphereSurface>(&config.surface))
-      return make_icosphere(sphere->frequency, sphere->radius);
-    const auto& file = std::get<FileSurface>(config.surface);
-    scale = file.scale;
-    return read_surface(folder / file.file, Closure::closed);
-  };
-  Surface surface = load();
-  for (Vec3& x : surface.positions) x = scale * x + config.center;
-  return surface;
-}
 
 PotentialSet make_potentials(const PotentialsConfig& config, const TriangleMesh& mesh,
                              std::span<const Vec3> reference) {

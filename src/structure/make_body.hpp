@@ -13,9 +13,6 @@ struct BodySetting {
   double mean_spacing = 0;       ///< of the grid; the probe length where none is given
 };
 
-/// The surface at its place in the box, checked: closed, sound and outward. Throws InputError with every problem.
-Surface load_surface(const BodyConfig& config, const std::filesystem::path& folder);
-
 /// The body at rest in its reference shape, with its potentials; constants are taken as they are (per edge, per hinge).
 /// Finds the largest frequency of its internal forces. Throws InputError.
 DeformableBody make_body(const BodyConfig& config, const BodySetting& setting);

@@ -1,0 +1,212 @@
+#include "structure/overlap.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "config/validate.hpp"
+#include "mesh/crossing.hpp"
+#include "mesh/distance.hpp"
+#include "mesh/geometry.hpp"
+
+namespace pliant {
+namespace {
+
+/// One body or copy.
+struct Copy {
+  std::size_t body, index;
+  BoundingSphere sphere;
+};
+
+/// Bodies at their place, for a close look.
+struct Placed {
+  const TriangleMesh& mesh;
+  std::vector<Vec3> positions;
+  double size;  ///< diameter of the bounding sphere
+
+  SurfaceView view() const { return {mesh, positions}; }
+};
+
+class OverlapSearch {
+ public:
+  OverlapSearch(const CaseConfig& config, std::span<const PlacedBody> bodies, std::size_t limit)
+      : config_(config), bodies_(bodies), limit_(limit) {
+    for (std::size_t b = 0; b < bodies.size(); ++b)
+      for (std::size_t i = 0; i < bodies[b].placements.size(); ++i)
+        copies_.push_back({b, i, place(bodies[b].sphere, bodies[b].placements[i])});
+    for (int d = 0; d < 3; ++d) periodic_[d] = is_periodic(config.boundary, d);
+  }
+
+  std::vector<std::string> run() {
+    for (std::size_t b = 0; b < bodies_.size(); ++b) check_self(b);
+    for (const auto& [a, b] : close_pairs()) check_pair(a, b);
+    if (count_ > limit_) problems_.push_back(fmt::format("and {} more overlaps of bodies", count_ - limit_));
+    return std::move(problems_);
+  }
+
+ private:
+  std::string name_of(std::size_t copy) const {
+    const auto& c = copies_[copy];
+    return copy_name(config_.bodies[c.body], c.index, bodies_[c.body].placements.size());
+  }
+  void complain(const std::string& what) {
+    if (++count_ <= limit_) problems_.push_back(what);
+  }
+  static std::string text_of(Vec3 x) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", x.x, x.y, x.z); }
+
+  /// Pairs (a < b) of copies whose bounding spheres meet, sorted; by a lattice of cells that spheres are listed in.
+  std::vector<std::pair<std::size_t, std::size_t>> close_pairs() const {
+    const Vec3 size = config_.box.size, origin = config_.box.origin;
+    double mean = 0;
+    for (const Copy& copy : copies_) mean += 2 * copy.sphere.radius / static_cast<double>(copies_.size());
+    const double edge =
+        std::max(mean, std::cbrt(size.x * size.y * size.z / std::max<double>(64, 4.0 * copies_.size())));
+    std::array<int, 3> n{};
+    for (int d = 0; d < 3; ++d) n[d] = static_cast<int>(std::clamp(size[d] / std::max(edge, size[d] / 1e3), 1.0, 1e3));
+    std::vector<std::pair<std::size_t, std::size_t>> listed;  // cell, copy
+    for (std::size_t c = 0; c < copies_.size(); ++c) {
+      const auto& sphere = copies_[c].sphere;
+      int first[3], number[3];
+      for (int d = 0; d < 3; ++d) {
+        const double step = size[d] / n[d];
+        double low = std::floor((sphere.center[d] - sphere.radius - origin[d]) / step - 1e-9);
+        double high = std::floor((sphere.center[d] + sphere.radius - origin[d]) / step + 1e-9);
+        if (!periodic_[d]) {
+          low = std::clamp(low, 0.0, n[d] - 1.0);
+          high = std::clamp(high, 0.0, n[d] - 1.0);
+        }
+        number[d] = static_cast<int>(std::min<double>(high - low + 1, n[d]));
+        first[d] = static_cast<int>(low - n[d] * std::floor(low / n[d]));
+      }
+      for (int k = 0; k < number[2]; ++k)
+        for (int j = 0; j < number[1]; ++j)
+          for (int i = 0; i < number[0]; ++i)
+            listed.emplace_back(
+                (static_cast<std::size_t>((first[2] + k) % n[2]) * n[1] + (first[1] + j) % n[1]) * n[0] +
+                    (first[0] + i) % n[0],
+                c);
+    }
+    std::sort(listed.begin(), listed.end());
+    std::vector<std::pair<std::size_t, std::size_t>> pairs;
+    for (std::size_t begin = 0, end = 0; begin < listed.size(); begin = end) {
+      while (end < listed.size() && listed[end].first == listed[begin].first) ++end;
+      for (std::size_t p = begin; p < end; ++p)
+        for (std::size_t q = p + 1; q < end; ++q)
+          if (spheres_meet(listed[p].second, listed[q].second)) pairs.emplace_back(listed[p].second, listed[q].second);
+    }
+    std::sort(pairs.begin(), pairs.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    return pairs;
+  }
+
+  bool spheres_meet(std::size_t a, std::size_t b) const {
+    Vec3 to = copies_[b].sphere.center - copies_[a].sphere.center;
+    for (int d = 0; d < 3; ++d)
+      if (periodic_[d]) to[d] -= config_.box.size[d] * std::round(to[d] / config_.box.size[d]);
+    return norm(to) < copies_[a].sphere.radius + copies_[b].sphere.radius;
+  }
+
+  Placed placed(std::size_t copy) const {
+    const auto& c = copies_[copy];
+    const PlacedBody& body = bodies_[c.body];
+    return {body.shape.mesh, place(body.shape.positions, body.placements[c.index]), 2 * c.sphere.radius};
+  }
+
+  void check_self(std::size_t b) {
+    if (!std::holds_alternative<FileSurface>(config_.bodies[b].surface)) return;
+    const auto& shape = bodies_[b].shape;
+    const auto at = find_self_crossing({shape.mesh, shape.positions}, tolerance * 2 * bodies_[b].sphere.radius);
+    if (at)
+      complain(fmt::format("{} has a surface that crosses itself, at {} of its file; mend the mesh",
+                           place_of(config_, "body." + config_.bodies[b].name),
+                           text_of(*at / std::get<FileSurface>(config_.bodies[b].surface).scale)));
+  }
+
+  void check_pair(std::size_t a, std::size_t b) {
+    const Placed first = placed(a);
+    Placed second = placed(b);
+    const Vec3 to = copies_[b].sphere.center - copies_[a].sphere.center;
+    Vec3 nearest;
+    for (int d = 0; d < 3; ++d) nearest[d] = periodic_[d] ? -std::round(to[d] / config_.box.size[d]) : 0.0;
+    const auto original = second.positions;
+    // Large bodies may meet in an image that is not the nearest one.
+    for (int k = -1; k <= 1; ++k)
+      for (int j = -1; j <= 1; ++j)
+        for (int i = -1; i <= 1; ++i) {
+          const int image[3] = {i, j, k};
+          Vec3 shift;
+          bool exists = true;
+          for (int d = 0; d < 3; ++d) {
+            exists = exists && (periodic_[d] || image[d] == 0);
+            shift[d] = (nearest[d] + image[d]) * config_.box.size[d];
+          }
+          if (!exists || norm(to + shift) >= copies_[a].sphere.radius + copies_[b].sphere.radius) continue;
+          for (std::size_t v = 0; v < original.size(); ++v) second.positions[v] = original[v] + shift;
+          if (compare(a, b, first, second)) return;
+        }
+  }
+
+  /// Whether the two overlap as they are placed; says so if they do.
+  bool compare(std::size_t a, std::size_t b, const Placed& first, const Placed& second) {
+    const double depth = tolerance * std::min(first.size, second.size);
+    auto at = find_crossing(first.view(), second.view(), depth);
+    const bool sheets = !first.mesh.is_closed() || !second.mesh.is_closed();
+    if (!at && sheets) at = find_common_sheet(first.view(), second.view(), depth);
+    if (at) {
+      complain(fmt::format("{} and {} overlap at the start: their surfaces meet at {}; move one of them{}",
+                           full_name(a), full_name(b), text_of(in_box(*at)), advice(a, b)));
+      return true;
+    }
+    const bool inside = is_inside(first, second), around = !inside && is_inside(second, first);
+    if (!inside && !around) return false;
+    const auto inner = inside ? a : b, outer = inside ? b : a;
+    complain(fmt::format("{} lies inside {} at the start, around {}; move one of them{}", full_name(inner),
+                         full_name(outer), text_of(in_box(copies_[inner].sphere.center)), advice(a, b)));
+    return true;
+  }
+
+  /// Whether `inner` lies inside `outer`, which it does not cross.
+  static bool is_inside(const Placed& inner, const Placed& outer) {
+    if (!outer.mesh.is_closed()) return false;
+    // From just inside a closed body, so that two bodies in the same place are found, and two that touch are not.
+    const Face& face = inner.mesh.vertices_of_face()[0];
+    Vec3 probe = face_centroid(face, inner.positions);
+    if (inner.mesh.is_closed()) probe -= 1e-6 * inner.size * normalized(face_vector(face, inner.positions));
+    return winding_number(probe, outer.mesh, outer.positions) > 0.75;
+  }
+
+  std::string full_name(std::size_t copy) const {
+    const auto key = "body." + config_.bodies[copies_[copy].body].name;
+    const auto place = place_of(config_, key);
+    return place.substr(0, place.size() - key.size()) + "body." + name_of(copy);
+  }
+  std::string advice(std::size_t a, std::size_t b) const {
+    const auto is_listed = [&](std::size_t copy) {
+      return config_.bodies[copies_[copy].body].placement.positions.has_value();
+    };
+    return is_listed(a) || is_listed(b) ? " in its file of positions, or make it smaller" : ", or make it smaller";
+  }
+  Vec3 in_box(Vec3 x) const {
+    for (int d = 0; d < 3; ++d)
+      if (periodic_[d]) x[d] -= config_.box.size[d] * std::floor((x[d] - config_.box.origin[d]) / config_.box.size[d]);
+    return x;
+  }
+
+  static constexpr double tolerance = 1e-9;
+  const CaseConfig& config_;
+  std::span<const PlacedBody> bodies_;
+  std::size_t limit_, count_ = 0;
+  std::vector<Copy> copies_;
+  std::array<bool, 3> periodic_{};
+  std::vector<std::string> problems_;
+};
+}  // namespace
+
+std::vector<std::string> find_overlaps(const CaseConfig& config, std::span<const PlacedBody> bodies,
+                                       std::size_t limit) {
+  return OverlapSearch(config, bodies, limit).run();
+}
+
+}  // namespace pliant
