@@ -21,8 +21,8 @@ void move_prescribed(Bodies& bodies, double time) {
   for (Body& body : bodies.own()) {
     const auto& kind = bodies.kind_of(body);
     if (kind.config.motion != MotionKind::prescribed) continue;
-    body.pose = kind.path.state_at(time, body.start);
-    body.acceleration = kind.path.acceleration_at(time, body.start);
+    body.pose = prescribed_pose(body, kind, time);
+    body.acceleration = prescribed_acceleration(body, kind, time);
     follow_pose(body, kind);
   }
 }
@@ -33,7 +33,7 @@ void advance_free(Body& body, const BodyKind& kind, const RigidLoad& load, doubl
   } else {
     const double torque = torque_about_axis(kind.hinge, load, body.pose.center);
     advance_hinge(body.hinge, body.hinge_acceleration, kind.hinge, torque, step);
-    body.pose = pose_of(kind.hinge, body.hinge, body.start);
+    body.pose = hinged_pose(body, kind);
     body.acceleration = acceleration_of(kind.hinge, body.hinge, body.hinge_acceleration, body.start);
   }
   require_finite(body);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -12,8 +13,20 @@
 #include "mesh/geometry.hpp"
 #include "parallel/agree.hpp"
 #include "parallel/sparse_exchange.hpp"
+#include "structure/place_bodies.hpp"
 
 namespace pliant {
+namespace {
+
+Quaternion to_quaternion(const Mat3& m) {
+  Eigen::Matrix3d rotation;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) rotation(i, j) = m[i][j];
+  const Eigen::Quaterniond q(rotation);
+  return normalized(Quaternion{q.w(), q.x(), q.y(), q.z()});
+}
+
+}  // namespace
 
 Bodies::Bodies(const CaseConfig& config, const Grid& grid) : grid_(grid), first_id_(1, 0) {
   std::vector<std::string> problems;
@@ -25,25 +38,33 @@ Bodies::Bodies(const CaseConfig& config, const Grid& grid) : grid_(grid), first_
     }
   }
   if (!problems.empty()) throw InputError(std::move(problems));
-  for (std::size_t k = 0; k < kinds_.size(); ++k) {
-    const long copies = 1;
-    for (long c = 0; c < copies; ++c) {
-      Body body = make_copy(k, c);
-      body.id = first_id_.back() + c;
+  const auto placed = place_bodies(config);
+  for (const auto& body : placed) first_id_.push_back(first_id_.back() + static_cast<long>(body.placements.size()));
+  for (std::size_t k = 0; k < kinds_.size(); ++k)
+    for (std::size_t c = 0; c < placed[k].placements.size(); ++c) {
+      Body body = make_copy(k, first_id_[k] + static_cast<long>(c), placed[k].placements[c]);
       if (home_of(body) == grid.ranks().rank()) bodies_.push_back(std::move(body));
     }
-    first_id_.push_back(first_id_.back() + copies);
-  }
 }
 
-Body Bodies::make_copy(std::size_t k, long) const {
+Body Bodies::blank_copy(std::size_t kind, long id) const {
+  Body body;
+  body.id = id;
+  body.kind = kind;
+  body.surface = kinds_[kind].prototype;
+  body.surface.name = copy_name(kinds_[kind].config, static_cast<std::size_t>(id - first_id_[kind]),
+                                static_cast<std::size_t>(count(kind)));
+  return body;
+}
+
+Body Bodies::make_copy(std::size_t k, long id, const Placement& placement) const {
   constexpr double radian = std::numbers::pi / 180;
   const BodyKind& kind = kinds_[k];
   const auto& config = kind.config;
-  Body body;
-  body.kind = k;
-  body.surface = kind.prototype;
-  body.start = config.center + kind.centroid;
+  Body body = blank_copy(k, id);
+  body.origin = placement.center;
+  body.start = placement.center + placement.rotation * kind.centroid;
+  body.start_orientation = to_quaternion(placement.rotation);
   body.pose.center = body.start;
   body.pose.orientation = body.start_orientation;
   if (config.motion == MotionKind::rigid) {
@@ -52,14 +73,11 @@ Body Bodies::make_copy(std::size_t k, long) const {
   }
   if (config.motion == MotionKind::hinge) {
     body.hinge = {radian * config.hinge.angle, radian * config.hinge.rate};
-    body.pose = pose_of(kind.hinge, body.hinge, body.start);
+    body.pose = hinged_pose(body, kind);
   }
-  if (config.motion == MotionKind::prescribed) body.pose = kind.path.state_at(0, body.start);
-  if (kind.has_pose()) {
-    follow_pose(body, kind);
-  } else {
-    for (Vec3& x : body.surface.positions) x += config.center;
-  }
+  if (config.motion == MotionKind::prescribed) body.pose = prescribed_pose(body, kind, 0);
+  if (kind.has_pose()) follow_pose(body, kind);
+  else body.surface.positions = place(body.surface.positions, placement);
   body.surface.reference = body.surface.positions;
   body.told = body.told_before = body.pose;
   return body;
@@ -112,8 +130,7 @@ Body Bodies::read(long id, ByteReader& reader) const {
   const auto after = std::upper_bound(first_id_.begin(), first_id_.end(), id);
   if (id < 0 || after == first_id_.end()) throw ByteStreamError(fmt::format("there is no body number {}", id));
   const auto kind = static_cast<std::size_t>(after - first_id_.begin()) - 1;
-  Body body = make_copy(kind, id - first_id_[kind]);
-  body.id = id;
+  Body body = blank_copy(kind, id);
   read_body(reader, kinds_[kind], body);
   return body;
 }

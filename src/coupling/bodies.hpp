@@ -6,6 +6,7 @@
 #include "core/byte_stream.hpp"
 #include "coupling/body.hpp"
 #include "grid/grid.hpp"
+#include "structure/placement.hpp"
 
 namespace pliant {
 
@@ -42,7 +43,8 @@ class Bodies {
 
  private:
   int home_of(const Body& body) const;
-  Body make_copy(std::size_t kind, long copy) const;
+  Body blank_copy(std::size_t kind, long id) const;
+  Body make_copy(std::size_t kind, long id, const Placement& placement) const;
   Body read(long id, ByteReader& reader) const;
   void sort_and_count();
 

@@ -59,7 +59,8 @@ struct Body {
   long id = 0;           ///< of the whole run: the order of the case file, copies one after the other
   std::size_t kind = 0;  ///< its [[body]]
   DeformableBody surface;
-  Vec3 start;  ///< pose.center at angle 0 and no displacement
+  Vec3 origin;  ///< where the surface's origin was put
+  Vec3 start;   ///< pose.center at angle 0 and no displacement
   Quaternion start_orientation;
   RigidState pose;
   RigidAcceleration acceleration;
@@ -75,6 +76,11 @@ struct Body {
 
   const std::string& name() const { return surface.name; }
 };
+
+/// Where a hinged or prescribed body is, from its angle or the time.
+RigidState hinged_pose(const Body& body, const BodyKind& kind);
+RigidState prescribed_pose(const Body& body, const BodyKind& kind, double time);
+RigidAcceleration prescribed_acceleration(const Body& body, const BodyKind& kind, double time);
 
 /// Puts vertices and their velocities where the pose says.
 void follow_pose(Body& body, const BodyKind& kind);

@@ -12,6 +12,7 @@ void read_vertices(ByteReader& in, std::vector<Vec3>& values) {
 }  // namespace
 
 void write_body(const Body& body, const BodyKind& kind, ByteWriter& out) {
+  out.write(body.origin);
   out.write(body.start);
   out.write(body.start_orientation);
   out.write(body.pose);
@@ -30,6 +31,7 @@ void write_body(const Body& body, const BodyKind& kind, ByteWriter& out) {
 }
 
 void read_body(ByteReader& in, const BodyKind& kind, Body& body) {
+  in.read(body.origin);
   in.read(body.start);
   in.read(body.start_orientation);
   in.read(body.pose);

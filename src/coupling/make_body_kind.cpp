@@ -8,7 +8,9 @@
 #include "core/error.hpp"
 #include "coupling/added_mass.hpp"
 #include "mesh/geometry.hpp"
+#include "signals/make_signal.hpp"
 #include "structure/make_body.hpp"
+#include "structure/placement.hpp"
 
 namespace pliant {
 namespace {
@@ -72,8 +74,10 @@ void set_hinge(BodyKind& kind, const MassProperties& material) {
   auto& model = kind.hinge;
   model.point = hinge.point;
   model.axis = normalized(hinge.axis);
-  // The material's place is that of the prototype, the hinge's that of the box.
-  model.inertia = hinge.inertia.value_or(inertia_about(material, hinge.point - kind.config.center, hinge.axis));
+  // The material is where the prototype is, the hinge is in the box.
+  const Mat3 back = rotation_about(kind.config.rotation.axis, -kind.config.rotation.angle);
+  model.inertia = hinge.inertia.value_or(
+      inertia_about(material, back * (hinge.point - kind.config.center), back * hinge.axis));
   if (hinge.min_angle) model.min_angle = radian * *hinge.min_angle;
   if (hinge.max_angle) model.max_angle = radian * *hinge.max_angle;
   model.restitution = hinge.restitution;
@@ -81,6 +85,20 @@ void set_hinge(BodyKind& kind, const MassProperties& material) {
   model.stiffness = hinge.stiffness;
   model.rest_angle = radian * hinge.rest_angle;
   model.virtual_inertia = hinge.virtual_inertia;
+}
+
+void set_path(BodyKind& kind, const CaseConfig& config) {
+  const auto& path = kind.config.path;
+  const auto signals = make_signals(config);
+  const auto function = [&](const std::string& text) -> std::function<double(double)> {
+    if (text.empty()) return nullptr;
+    return [signal = make_signal_or_formula(text, signals)](double t) { return signal.value(t); };
+  };
+  kind.path.displacement = {function(path.x), function(path.y), function(path.z)};
+  if (auto degrees = function(path.angle)) kind.path.angle = [degrees](double t) { return radian * degrees(t); };
+  kind.path.axis = path.axis;
+  kind.path.pivot = path.pivot.value_or(Vec3{});
+  kind.path.difference_step = 1e-5 * config.time.end;
 }
 
 ProbeForm probe_form(TractionForm form) {
@@ -106,6 +124,8 @@ BodyKind make_body_kind(const CaseConfig& config, std::size_t index, const Grid&
   kind.config = config.bodies[index];
   auto at_origin = kind.config;
   at_origin.center = {};
+  at_origin.rotation = {};
+  at_origin.placement = {};
   kind.prototype = make_body(at_origin, {config.folder, mean_spacing(grid)});
   auto& body = kind.prototype;
   const bool closed = body.mesh.is_closed();
@@ -122,8 +142,9 @@ BodyKind make_body_kind(const CaseConfig& config, std::size_t index, const Grid&
   set_shape(kind, grid);
   if (kind.config.motion == MotionKind::rigid) set_rigid(kind, material, config);
   if (kind.config.motion == MotionKind::hinge) set_hinge(kind, material);
+  if (kind.config.motion == MotionKind::prescribed) set_path(kind, config);
   kind.probes = {probe_form(body.traction.form), closed ? Wetting::outside : Wetting::both_sides,
-                 body.traction.probe_length, config.fluid.density, config.fluid.viscosity, {}};
+                 body.traction.probe_length, config.fluid.density, config.fluid.viscosity, Vec3{}};
   kind.added_mass_ratio = added_mass_ratio(kind, config.fluid.density);
   std::string reason;
   kind.coupling = choose_coupling(kind, reason);
