@@ -82,11 +82,14 @@ class CellList {
     int least_body, greatest_body;
   };
 
-  CellList(std::span<const SurfacePoint> points, const Space& space) : space_(space), order_(points.size()) {
+  CellList(std::span<const SurfacePoint> points, const Space& space) : space_(space) {
     std::vector<std::int64_t> keys(points.size());
+    order_.reserve(points.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
-      order_[i] = i;
-      keys[i] = space.key_of(space.cell_of(points[i].position));
+      const Vec3 x = points[i].position;
+      if (!std::isfinite(x.x) || !std::isfinite(x.y) || !std::isfinite(x.z)) continue;
+      order_.push_back(i);
+      keys[i] = space.key_of(space.cell_of(x));
     }
     std::sort(order_.begin(), order_.end(), [&](std::size_t a, std::size_t b) {
       const auto rank = [&](std::size_t i) {
