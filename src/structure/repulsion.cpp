@@ -30,7 +30,7 @@ class Space {
   Space(const RepulsionBox& box, double range) : box_(box) {
     constexpr double most_cells = 1 << 20;
     for (int d = 0; d < 3; ++d) {
-      periodic_[d] = box.sides[2 * d] == RepulsionSide::periodic;
+      periodic_[d] = box.sides[2 * static_cast<std::size_t>(d)] == RepulsionSide::periodic;
       if (periodic_[d] && range > 0.5 * box.size[d])
         throw InputError(
             fmt::format("The range {} of the repulsion is more than half of the periodic box along {}, {}; "

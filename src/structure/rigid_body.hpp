@@ -51,6 +51,10 @@ void advance_rigid(RigidState& state, RigidAcceleration& acceleration, const Rig
 RigidState advance_rigid_trapezoidal(const RigidState& start, RigidAcceleration& acceleration, const RigidModel& model,
                                      const RigidLoad& load_at_start, const RigidLoad& load_at_end, double step);
 
+/// Under a load at one moment: a = F/m and R I R^T alpha = T - omega x (R I R^T omega) in the free directions, 0 in the
+/// locked ones; without virtual mass and inertia.
+RigidAcceleration rigid_acceleration(const RigidModel& model, const RigidState& state, const RigidLoad& load);
+
 /// R I R^T omega: angular momentum about the centre, in the world's frame.
 Vec3 angular_momentum(const RigidState& state, const Mat3& inertia);
 

@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "core/error.hpp"
+#include "structure/rigid_vector.hpp"
 
 namespace pliant {
 namespace {
@@ -149,6 +150,38 @@ TEST(Hamming, ContinuesToTheBitFromItsState) {
   damaged.pop_back();
   EXPECT_THROW(Hamming::from_state(damaged), RunError);
   EXPECT_THROW(Hamming::from_state(Vector{2, std::nan(""), 0, 0}), RunError);
+}
+
+TEST(Hamming, TurnsARigidBody) {
+  // A free symmetric top: its axis turns about L with the rate |L| / I_1.
+  RigidModel model;
+  model.mass = 1;
+  model.inertia = {{{2, 0, 0}, {0, 2, 0}, {0, 0, 0.7}}};
+  RigidState start;
+  start.orientation = from_axis_angle({1, -1, 0.5}, 0.6);
+  start.velocity = {0, 1, 0};
+  start.angular_velocity = {0.8, -0.5, 2.0};
+  const Vec3 turn = angular_momentum(start, model.inertia) / 2.0;
+  const auto rate = [&](std::span<const double> y) {
+    const RigidState state = unpack_rigid(y);
+    Vector rates(rigid_vector_size);
+    pack_rates(state, rigid_acceleration(model, state, {{0.3, 0, 0}, {}}), rates);
+    return rates;
+  };
+  const auto error_after = [&](int n_steps) {
+    const double time = 5;
+    Vector y(rigid_vector_size);
+    pack(start, y);
+    Hamming scheme(y, rate(y));
+    for (int n = 0; n < n_steps; ++n) step_once(scheme, time / n_steps, rate);
+    const RigidState end = unpack_rigid(scheme.value());
+    EXPECT_LT(norm(end.center - Vec3{0.15 * time * time, time, 0}), 1e-13 * time * time * n_steps);
+    return norm(rotate(end.orientation, {0, 0, 1}) -
+                rotate(from_rotation_vector(time * turn) * start.orientation, {0, 0, 1}));
+  };
+  // Third order of the start, or better while the fourth order of the other steps is the larger.
+  EXPECT_GT(std::log2(error_after(200) / error_after(400)), 2.9);
+  EXPECT_LT(error_after(400), 1e-4);
 }
 
 TEST(Hamming, HoldsNothingAsWell) {
