@@ -12,7 +12,8 @@ AitkenRelaxation::AitkenRelaxation(Communicator ranks, double first_factor, doub
     : ranks_(ranks), first_factor_(first_factor), largest_factor_(largest_factor), factor_(first_factor) {}
 
 void AitkenRelaxation::restart() {
-  factor_ = std::min(std::abs(factor_), first_factor_);
+  const double size = std::abs(factor_);
+  factor_ = size > 0 ? std::min(size, first_factor_) : first_factor_;
   has_residual_ = false;
 }
 

@@ -21,7 +21,7 @@ class AitkenRelaxation {
   void restart();
 
   /// Moves x towards G(x). Both have the same size, which stays until restart(). Collective. Returns the root mean
-  /// square of G(x) - x over all ranks, of the x that was given.
+  /// square of G(x) - x over all ranks, of the x that was given; not finite on every rank if any value is not.
   double relax(std::span<double> x, std::span<const double> image);
 
   double factor() const { return factor_; }

@@ -10,10 +10,9 @@ struct Jet {
 
 Jet jet_of(const std::function<double(double)>& f, double t, double h) {
   if (!f) return {};
-  const double centre = f(t), near_sum = f(t + h) + f(t - h), far_sum = f(t + 2 * h) + f(t - 2 * h);
-  const double near_difference = f(t + h) - f(t - h), far_difference = f(t + 2 * h) - f(t - 2 * h);
-  return {centre, (8.0 * near_difference - far_difference) / (12.0 * h),
-          (16.0 * near_sum - far_sum - 30.0 * centre) / (12.0 * h * h)};
+  const double far_behind = f(t - 2 * h), behind = f(t - h), centre = f(t), ahead = f(t + h), far_ahead = f(t + 2 * h);
+  return {centre, (8.0 * (ahead - behind) - (far_ahead - far_behind)) / (12.0 * h),
+          (16.0 * (ahead + behind) - (far_ahead + far_behind) - 30.0 * centre) / (12.0 * h * h)};
 }
 
 struct Pose {

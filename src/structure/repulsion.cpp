@@ -30,7 +30,7 @@ class Space {
   Space(const RepulsionBox& box, double range) : box_(box) {
     constexpr double most_cells = 1 << 20;
     for (int d = 0; d < 3; ++d) {
-      periodic_[d] = box.sides[2 * d] == RepulsionSide::periodic;
+      periodic_[d] = box.sides[2 * static_cast<std::size_t>(d)] == RepulsionSide::periodic;
       if (periodic_[d] && range > 0.5 * box.size[d])
         throw InputError(
             fmt::format("The range {} of the repulsion is more than half of the periodic box along {}, {}; "
@@ -82,11 +82,14 @@ class CellList {
     int least_body, greatest_body;
   };
 
-  CellList(std::span<const SurfacePoint> points, const Space& space) : space_(space), order_(points.size()) {
+  CellList(std::span<const SurfacePoint> points, const Space& space) : space_(space) {
     std::vector<std::int64_t> keys(points.size());
+    order_.reserve(points.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
-      order_[i] = i;
-      keys[i] = space.key_of(space.cell_of(points[i].position));
+      const Vec3 x = points[i].position;
+      if (!std::isfinite(x.x) || !std::isfinite(x.y) || !std::isfinite(x.z)) continue;
+      order_.push_back(i);
+      keys[i] = space.key_of(space.cell_of(x));
     }
     std::sort(order_.begin(), order_.end(), [&](std::size_t a, std::size_t b) {
       const auto rank = [&](std::size_t i) {

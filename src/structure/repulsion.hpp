@@ -45,7 +45,8 @@ double repulsion_potential(double s);
 /// n_own on are copies of other ranks' points, each given once; any periodic image will do, the nearest is taken.
 /// Pairs are found through cells of about the range. F_ij = -F_ji to the bit, and the sum for a point runs in an order
 /// that only positions decide, so it does not depend on how points are numbered or shared out.
-/// Throws InputError if the range is not positive or above half a periodic direction.
+/// Points that are not finite repel nothing. Throws InputError if the range is not positive or above half a periodic
+/// direction.
 void add_repulsion(std::span<const SurfacePoint> points, std::size_t n_own, const RepulsionBox& box,
                    const Repulsion& repulsion, std::span<Vec3> forces);
 

@@ -82,6 +82,17 @@ RigidState advance_rigid_trapezoidal(const RigidState& start, RigidAcceleration&
   return state;
 }
 
+RigidAcceleration rigid_acceleration(const RigidModel& model, const RigidState& state, const RigidLoad& load) {
+  RigidModel plain = model;
+  plain.virtual_inertia = 0;
+  RigidAcceleration acceleration;
+  for (int d = 0; d < 3; ++d)
+    if (model.freedom.translation[d] == AxisMotion::free) acceleration.linear[d] = load.force[d] / model.mass;
+  const Vec3 gyroscopic = cross(state.angular_velocity, angular_momentum(state, model.inertia));
+  acceleration.angular = solve_rate(plain, state.orientation, load.torque - gyroscopic, {});
+  return acceleration;
+}
+
 Vec3 angular_momentum(const RigidState& state, const Mat3& inertia) {
   return turned(state.orientation, inertia, state.angular_velocity);
 }

@@ -41,8 +41,14 @@ void advance_rigid(RigidState& state, RigidAcceleration& acceleration, const Rig
 /// The same inside an iteration: always from the state at the start of the step, with the mean of the loads at its
 /// start and at the last guess of its end. `acceleration` is that of the last guess on entry, so that virtual terms
 /// vanish as the iteration converges and only its path depends on them; the new one on return.
+/// A load that is a mean over the step, like the reaction of an added mass r times the body's, belongs to both ends
+/// alike: in the mean with its forerunner it would ring with -r / (2 + r).
 RigidState advance_rigid_trapezoidal(const RigidState& start, RigidAcceleration& acceleration, const RigidModel& model,
                                      const RigidLoad& load_at_start, const RigidLoad& load_at_end, double step);
+
+/// Under a load at one moment: a = F/m and R I R^T alpha = T - omega x (R I R^T omega) in the free directions, 0 in the
+/// locked ones; without virtual mass and inertia.
+RigidAcceleration rigid_acceleration(const RigidModel& model, const RigidState& state, const RigidLoad& load);
 
 /// R I R^T omega: angular momentum about the centre, in the world's frame.
 Vec3 angular_momentum(const RigidState& state, const Mat3& inertia);

@@ -6,7 +6,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "structure/hinge.hpp"
+#include "structure/rigid_vector.hpp"
 
 namespace pliant {
 namespace {
@@ -73,6 +73,25 @@ TEST(RigidState, AccelerationIsTheChangeOfVelocityOfAMaterialPoint) {
   const Vec3 actual = acceleration_at(state, {push, 0.7 * axis}, state.center + rotate(state.orientation, reference));
   // Central differences: h^2/6 times a third derivative of about 10.
   EXPECT_LT(norm(actual - expected), 1e-7);
+}
+
+TEST(RigidState, GoesToNumbersAndBack) {
+  const RigidState state{{3, -2, 1}, {0.5, -0.5, 0.5, 0.5}, {0.5, 0, -1}, {0.2, -0.7, 1.1}};
+  std::vector<double> numbers(rigid_vector_size), ahead(rigid_vector_size), rates(rigid_vector_size);
+  pack(state, numbers);
+  const RigidState back = unpack_rigid(numbers);
+  EXPECT_EQ(back.center, state.center);
+  EXPECT_EQ(back.orientation, state.orientation);
+  EXPECT_EQ(back.velocity, state.velocity);
+  EXPECT_EQ(back.angular_velocity, state.angular_velocity);
+  // Rates are those of a turn about the angular velocity, to first order in a short time.
+  const double h = 1e-6;
+  pack_rates(state, {}, rates);
+  RigidState next = state;
+  next.center += h * state.velocity;
+  next.orientation = from_rotation_vector(h * state.angular_velocity) * state.orientation;
+  pack(next, ahead);
+  for (std::size_t k = 0; k < rigid_vector_size; ++k) EXPECT_NEAR((ahead[k] - numbers[k]) / h, rates[k], 1e-6);
 }
 
 TEST(RigidState, FiniteMeansEveryComponent) {

@@ -237,6 +237,16 @@ TEST(Repulsion, FineSheetPressesWithItsStrength) {
   EXPECT_LT(std::hypot(forces[0].x, forces[0].y), 1e-3 * 5.0 * 0.02);
 }
 
+TEST(Repulsion, LeavesBrokenPointsOut) {
+  const RepulsionBox box{{0, 0, 0}, {1, 1, 1}, {periodic, periodic, wall, wall, open, open}};
+  Points points = random_points(50, box, 3);
+  const auto expected = forces_of(points, box, {1.0, 0.3});
+  points.push_back({{std::nan(""), 0.5, 0.5}, 1, 3});
+  points.push_back({{HUGE_VAL, 0.5, 0.5}, 1, 4});
+  const auto forces = forces_of(points, box, {1.0, 0.3});
+  for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_EQ(forces[i], expected[i]);
+}
+
 TEST(Repulsion, RefusesARangeThatSeesItsOwnImage) {
   const RepulsionBox box{{0, 0, 0}, {1, 1, 1}, {periodic, periodic, open, open, open, open}};
   std::vector<Vec3> forces;

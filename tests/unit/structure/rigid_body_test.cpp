@@ -163,6 +163,23 @@ TEST(RigidBody, LockedDirectionsStayToTheBit) {
   EXPECT_EQ(state.angular_velocity, before.angular_velocity);
 }
 
+TEST(RigidBody, AccelerationIsTheLimitOfAShortStep) {
+  RigidModel model = make_model({{{2, 0.3, -0.2}, {0.3, 1.5, 0.4}, {-0.2, 0.4, 1}}});
+  for (AxisMotion about_y : {AxisMotion::free, AxisMotion::locked}) {
+    model.freedom.rotation[1] = model.freedom.translation[2] = about_y;
+    const RigidState start = spinning({1, about_y == AxisMotion::free ? -2.0 : 0.0, 0.5});
+    const RigidLoad load{{1, 2, 3}, {0.4, -0.5, 0.6}};
+    RigidState state = start;
+    RigidAcceleration mean;
+    const double step = 1e-6;
+    advance_rigid(state, mean, model, load, step);
+    const RigidAcceleration now = rigid_acceleration(model, start, load);
+    EXPECT_LT(norm(now.linear - mean.linear), 1e-15);
+    // Differs by half a step's change, which is of order 10 a unit of time.
+    EXPECT_LT(norm(now.angular - mean.angular), 20 * step);
+  }
+}
+
 TEST(RigidBody, RotationAboutTwoAxesKeepsItsEnergy) {
   RigidModel model = make_model({{{2, 0.3, -0.2}, {0.3, 1.5, 0.4}, {-0.2, 0.4, 1}}});
   model.freedom.rotation[2] = AxisMotion::locked;

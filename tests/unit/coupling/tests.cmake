@@ -1,0 +1,1 @@
+pliant_test(hamming_test SOURCES ${CMAKE_CURRENT_LIST_DIR}/hamming_test.cpp LIBS pliant_coupling)
