@@ -14,8 +14,7 @@ double added_mass_ratio(const BodyKind& kind, double fluid_density) {
   const auto& mesh = kind.prototype.mesh;
   const auto& positions = kind.prototype.positions;
   const double area = total_area(mesh, positions);
-  const double added =
-      0.5 * fluid_density * (kind.is_closed() ? kind.displaced.volume : area * std::sqrt(area));
+  const double added = 0.5 * fluid_density * (kind.is_closed() ? kind.displaced.volume : area * std::sqrt(area));
   if (kind.config.motion == MotionKind::rigid) return added / (kind.rigid.mass);
   // The added mass spread over the surface, about the axis.
   const auto areas = vertex_areas(mesh, positions);

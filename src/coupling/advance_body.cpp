@@ -63,7 +63,8 @@ bool is_swinging_up(Body& body) {
 
 std::string explain_swing(const Body& body, const BodyKind& kind) {
   return fmt::format(
-      "body '{}': its acceleration has changed sign in each of the last {} steps and grown every time, to {:.3g}: loose "
+      "body '{}': its acceleration has changed sign in each of the last {} steps and grown every time, to {:.3g}: "
+      "loose "
       "coupling is unstable for a body this light (added mass about {:.2g} of its own); use coupling = \"strong\"",
       body.name(), body.swing.swings, body.swing.last_size, kind.added_mass_ratio);
 }

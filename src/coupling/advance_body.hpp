@@ -5,8 +5,8 @@ namespace pliant {
 
 /// Uniform accelerations that act in the box.
 struct Surroundings {
-  Vec3 gravity;              ///< bodies feel it times their mass less that of the fluid they displace
-  Vec3 driving;              ///< of the fluid; stands for a pressure gradient, which displaced fluid hands on to bodies
+  Vec3 gravity;  ///< bodies feel it times their mass less that of the fluid they displace
+  Vec3 driving;  ///< of the fluid; stands for a pressure gradient, which displaced fluid hands on to bodies
   double fluid_density = 1;
 };
 

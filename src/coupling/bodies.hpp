@@ -18,6 +18,7 @@ class Bodies {
   /// Makes the kinds and this rank's bodies. Throws InputError with the problems of all kinds, on all ranks alike.
   Bodies(const CaseConfig& config, const Grid& grid);
 
+  const Grid& grid() const { return grid_; }
   std::span<const BodyKind> kinds() const { return kinds_; }
   const BodyKind& kind_of(const Body& body) const { return kinds_[body.kind]; }
   /// Bodies of the whole run, and of one kind; ids of a kind follow each other from first_id(kind).
@@ -37,8 +38,8 @@ class Bodies {
 
   /// This rank's bodies as bytes.
   std::vector<BodyBlob> save() const;
-  /// Replaces all bodies by saved ones; each rank may hand in any of them. Collective. Throws CollectiveError if they are
-  /// not the bodies of this run.
+  /// Replaces all bodies by saved ones; each rank may hand in any of them. Collective. Throws CollectiveError if they
+  /// are not the bodies of this run.
   void restore(const std::vector<BodyBlob>& saved);
 
  private:

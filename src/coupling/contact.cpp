@@ -61,8 +61,7 @@ void Contact::find(Bodies& bodies) const {
   std::size_t at = 0;
   for (Body& body : bodies.own()) {
     const std::size_t n = body.surface.positions.size();
-    body.loads.contact =
-        total_load(body.surface.positions, std::span(forces).subspan(at, n), body.pose.center);
+    body.loads.contact = total_load(body.surface.positions, std::span(forces).subspan(at, n), body.pose.center);
     at += n;
   }
 }

@@ -146,9 +146,9 @@ void ImmersedBoundary::measure_slip(Bodies& bodies, const FlowState& flow) {
     const auto velocities = flow_at_markers(flow, which);
     const auto& group = group_of(which);
     for (const Part& p : group.parts)
-      bodies.own()[p.body].slip = pliant::measure_slip(
-          part(velocities, p.begin, p.end), part(group.markers.velocities, p.begin, p.end),
-          part(group.markers.normals, p.begin, p.end), part(group.markers.areas, p.begin, p.end));
+      bodies.own()[p.body].slip =
+          pliant::measure_slip(part(velocities, p.begin, p.end), part(group.markers.velocities, p.begin, p.end),
+                               part(group.markers.normals, p.begin, p.end), part(group.markers.areas, p.begin, p.end));
   }
 }
 

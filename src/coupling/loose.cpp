@@ -1,18 +1,16 @@
 #include "coupling/loose.hpp"
 
 #include "core/error.hpp"
-#include "coupling/one_way.hpp"
 #include "parallel/agree.hpp"
 
 namespace pliant {
-namespace {
 
-void advance_free_bodies(CoupledFlow& coupled, double step) {
+void advance_loose_bodies(CoupledFlow& coupled, double step) {
   auto& bodies = coupled.bodies();
   std::string problem;
   for (Body& body : bodies.own()) {
     const auto& kind = bodies.kind_of(body);
-    if (!kind.is_free() || !kind.acts_on_flow()) continue;
+    if (!kind.is_free() || kind.coupling != CouplingKind::loose) continue;
     try {
       advance_free(body, kind, coupled.load_on(body), step);
       if (is_swinging_up(body)) throw RunError(explain_swing(body, kind));
@@ -23,15 +21,13 @@ void advance_free_bodies(CoupledFlow& coupled, double step) {
   agree(coupled.flow().grid().ranks(), problem);
 }
 
-}  // namespace
-
 void advance_loose(CoupledFlow& coupled, double time, double step) {
   move_prescribed(coupled.bodies(), time);
   coupled.place_markers();
   coupled.advance_fluid(step);
   coupled.find_loads(step);
   coupled.accept();
-  advance_free_bodies(coupled, step);
+  advance_loose_bodies(coupled, step);
 }
 
 }  // namespace pliant

@@ -76,8 +76,8 @@ void set_hinge(BodyKind& kind, const MassProperties& material) {
   model.axis = normalized(hinge.axis);
   // The material is where the prototype is, the hinge is in the box.
   const Mat3 back = rotation_about(kind.config.rotation.axis, -kind.config.rotation.angle);
-  model.inertia = hinge.inertia.value_or(
-      inertia_about(material, back * (hinge.point - kind.config.center), back * hinge.axis));
+  model.inertia =
+      hinge.inertia.value_or(inertia_about(material, back * (hinge.point - kind.config.center), back * hinge.axis));
   if (hinge.min_angle) model.min_angle = radian * *hinge.min_angle;
   if (hinge.max_angle) model.max_angle = radian * *hinge.max_angle;
   model.restitution = hinge.restitution;
@@ -143,8 +143,11 @@ BodyKind make_body_kind(const CaseConfig& config, std::size_t index, const Grid&
   if (kind.config.motion == MotionKind::rigid) set_rigid(kind, material, config);
   if (kind.config.motion == MotionKind::hinge) set_hinge(kind, material);
   if (kind.config.motion == MotionKind::prescribed) set_path(kind, config);
-  kind.probes = {probe_form(body.traction.form), closed ? Wetting::outside : Wetting::both_sides,
-                 body.traction.probe_length, config.fluid.density, config.fluid.viscosity, Vec3{}};
+  kind.probes.form = probe_form(body.traction.form);
+  kind.probes.wetting = closed ? Wetting::outside : Wetting::both_sides;
+  kind.probes.length = body.traction.probe_length;
+  kind.probes.density = config.fluid.density;
+  kind.probes.viscosity = config.fluid.viscosity;
   kind.added_mass_ratio = added_mass_ratio(kind, config.fluid.density);
   std::string reason;
   kind.coupling = choose_coupling(kind, reason);

@@ -7,8 +7,10 @@
 
 #include "core/error.hpp"
 #include "loads/traction.hpp"
+#include "parallel/agree.hpp"
 #include "structure/advance_vertices.hpp"
 #include "structure/stable_time_step.hpp"
+#include "transfer/point_router.hpp"
 
 namespace pliant {
 namespace {
@@ -26,11 +28,15 @@ int count_substeps(const DeformableBody& body, const VertexLoads& loads, double 
   return std::max(1, static_cast<int>(count));
 }
 
-}  // namespace
+std::string find_outside(const DeformableBody& body, std::span<const Vec3> points, const PointRouter& box) {
+  const auto outside = box.first_outside(points);
+  if (outside == points.size()) return {};
+  const Vec3 x = points[outside];
+  return fmt::format("body '{}': the flow was asked for at ({:.6g}, {:.6g}, {:.6g}), which is outside the box; {}",
+                     body.name, x.x, x.y, x.z, explain_outside(body.traction));
+}
 
-int advance_one_way(DeformableBody& body, const FlowSampler& flow, const FluidConfig& fluid, double step) {
-  if (body.motion == MotionKind::fixed) return 0;
-  const Traction traction(body, flow, fluid);
+int advance_in(const Traction& traction, DeformableBody& body, double step) {
   ShapeState shape(body.mesh, body.positions);
   VertexLoads loads;
   traction.evaluate(body, shape, loads);
@@ -42,6 +48,43 @@ int advance_one_way(DeformableBody& body, const FlowSampler& flow, const FluidCo
   }
   require_finite(body);
   return substeps;
+}
+
+}  // namespace
+
+int advance_one_way(DeformableBody& body, const FlowSampler& flow, const FluidConfig& fluid, double step) {
+  if (body.motion == MotionKind::fixed) return 0;
+  return advance_in(Traction(body, flow, fluid), body, step);
+}
+
+void advance_one_way(Bodies& bodies, const FlowSampler& flow, const FluidConfig& fluid, double step) {
+  std::vector<Body*> moved;
+  std::vector<Vec3> points;
+  std::vector<std::size_t> begin(1, 0);
+  std::string problem;
+  for (Body& body : bodies.own()) {
+    if (bodies.kind_of(body).has_pose()) continue;
+    const auto of_body = traction_points(body.surface);
+    moved.push_back(&body);
+    points.insert(points.end(), of_body.begin(), of_body.end());
+    begin.push_back(points.size());
+  }
+  const auto& ranks = bodies.grid().ranks();
+  for (std::size_t b = 0; b < moved.size() && problem.empty(); ++b)
+    problem = find_outside(moved[b]->surface, std::span(points).subspan(begin[b], begin[b + 1] - begin[b]),
+                           PointRouter(bodies.grid()));
+  agree(ranks, problem);
+  std::vector<FlowSample> samples(points.size());
+  flow.sample(points, samples);
+  for (std::size_t b = 0; b < moved.size() && problem.empty(); ++b) {
+    const auto n = begin[b + 1] - begin[b];
+    auto& body = moved[b]->surface;
+    try {
+      advance_in(Traction(std::span(points).subspan(begin[b], n), std::span(samples).subspan(begin[b], n), fluid), body,
+                 step);
+    } catch (const RunError& error) { problem = error.what(); }
+  }
+  agree(ranks, problem);
 }
 
 }  // namespace pliant

@@ -1,5 +1,6 @@
 #pragma once
 #include "config/case_config.hpp"
+#include "coupling/bodies.hpp"
 #include "structure/deformable_body.hpp"
 #include "transfer/flow_sample.hpp"
 
@@ -9,9 +10,12 @@ namespace pliant {
 /// deform.
 inline constexpr double substep_safety = 0.7;
 
-/// Moves a body through one fluid step in the undisturbed flow; the fluid does not feel it. Collective over the ranks,
-/// which all move their copy of the body alike. A fixed body stays. Returns the number of substeps.
+/// Moves a body through one fluid step in the undisturbed flow; the fluid does not feel it. Every rank that
+/// samples must call this. A fixed body stays. Returns the number of substeps.
 /// Throws RunError if the motion breaks down or the body leaves the box.
 int advance_one_way(DeformableBody& body, const FlowSampler& flow, const FluidConfig& fluid, double step);
+
+/// The same for all deformable bodies of all ranks, with one sampling of the flow. Collective. Throws CollectiveError.
+void advance_one_way(Bodies& bodies, const FlowSampler& flow, const FluidConfig& fluid, double step);
 
 }  // namespace pliant

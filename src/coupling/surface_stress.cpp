@@ -58,7 +58,8 @@ void find_stresses(Bodies& bodies, const FlowSampler& flow, const Grid& grid, Ve
       forget(body);
       if (which == StressOf::driven && problem.empty())
         problem = fmt::format(
-            "body '{}' has come too close to a side of the box: a probe of its loads, of length {:.4g}, ends outside at "
+            "body '{}' has come too close to a side of the box: a probe of its loads, of length {:.4g}, ends outside "
+            "at "
             "({:.6g}, {:.6g}, {:.6g}); use loads = \"momentum-balance\", a shorter traction.probe_length, or a "
             "repulsion from the walls (repulsion.range)",
             body.name(), kind.probes.length, x.x, x.y, x.z);

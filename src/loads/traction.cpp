@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "core/error.hpp"
 #include "mesh/geometry.hpp"
 
 namespace pliant {
@@ -32,24 +31,32 @@ std::vector<Vec3> probe_ends(const DeformableBody& body) {
 
 }  // namespace
 
-Traction::Traction(const DeformableBody& body, const FlowSampler& flow, const FluidConfig& fluid)
-    : viscosity_(fluid.viscosity) {
-  if (body.traction.form == TractionForm::none) return;
-  points_ = body.traction.form == TractionForm::drag ? body.positions : probe_ends(body);
-  samples_.resize(points_.size());
-  try {
-    flow.sample(points_, samples_);
-  } catch (const CollectiveError& error) {
-    throw CollectiveError(fmt::format(
-        "body '{}': {}; {}", body.name, error.what(),
-        body.traction.form == TractionForm::drag
-            ? "the body has left the box"
-            : fmt::format(
-                  "the body, with its probes of length {:.4g}, has come too close to a side of the box; shorten "
-                  "traction.probe_length or make the box larger",
-                  body.traction.probe_length)));
+std::vector<Vec3> traction_points(const DeformableBody& body) {
+  switch (body.traction.form) {
+    case TractionForm::none:
+      return {};
+    case TractionForm::drag:
+      return body.positions;
+    default:
+      return probe_ends(body);
   }
 }
+
+std::string explain_outside(const TractionConfig& traction) {
+  if (traction.form == TractionForm::drag) return "the body has left the box";
+  return fmt::format(
+      "the body, with its probes of length {:.4g}, has come too close to a side of the box; shorten "
+      "traction.probe_length or make the box larger",
+      traction.probe_length);
+}
+
+Traction::Traction(const DeformableBody& body, const FlowSampler& flow, const FluidConfig& fluid)
+    : viscosity_(fluid.viscosity), points_(traction_points(body)), samples_(points_.size()) {
+  flow.sample(points_, samples_);
+}
+
+Traction::Traction(std::span<const Vec3> points, std::span<const FlowSample> samples, const FluidConfig& fluid)
+    : viscosity_(fluid.viscosity), points_(points.begin(), points.end()), samples_(samples.begin(), samples.end()) {}
 
 void Traction::evaluate(const DeformableBody& body, const ShapeState& shape, VertexLoads& loads) const {
   loads.assign(body.positions.size());

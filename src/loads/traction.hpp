@@ -1,5 +1,6 @@
 #pragma once
 #include <span>
+#include <string>
 #include <vector>
 
 #include "config/case_config.hpp"
@@ -9,6 +10,12 @@
 #include "transfer/flow_sample.hpp"
 
 namespace pliant {
+
+/// Where the traction of a body needs the flow: its vertices (drag) or the ends of its probes, a face each.
+std::vector<Vec3> traction_points(const DeformableBody& body);
+
+/// Why such a point may be outside the box, and what to do.
+std::string explain_outside(const TractionConfig& traction);
 
 /// What the flow does to a body that does not act on it, during one fluid step, in the form that body.traction asks
 /// for:
@@ -25,6 +32,8 @@ class Traction {
  public:
   /// Samples the flow for the body as it is. Collective over the ranks.
   Traction(const DeformableBody& body, const FlowSampler& flow, const FluidConfig& fluid);
+  /// From the flow at traction_points(body).
+  Traction(std::span<const Vec3> points, std::span<const FlowSample> samples, const FluidConfig& fluid);
 
   /// Sets the loads at the shape's positions.
   void evaluate(const DeformableBody& body, const ShapeState& shape, VertexLoads& loads) const;

@@ -1,0 +1,63 @@
+#include "coupling/strong.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "coupling/loose.hpp"
+#include "coupling/strong_unknowns.hpp"
+#include "parallel/agree.hpp"
+
+namespace pliant {
+namespace {
+
+void apply(StrongUnknowns& unknowns, const Communicator& ranks) {
+  std::string problem;
+  try {
+    unknowns.apply();
+  } catch (const RunError& error) { problem = error.what(); }
+  agree(ranks, problem);
+}
+
+}  // namespace
+
+StrongCoupling::StrongCoupling(const Communicator& ranks, const CouplingConfig& settings)
+    : ranks_(ranks), settings_(settings), relaxation_(ranks, settings.relaxation) {}
+
+StrongReport StrongCoupling::advance(CoupledFlow& coupled, double time, double step) {
+  coupled.flow().save_state(start_);
+  move_prescribed(coupled.bodies(), time);
+  StrongUnknowns unknowns(coupled, step);
+  relaxation_.restart();
+  StrongReport report;
+  // Below this no velocity is worth telling from another: a cell in a billion steps.
+  const double floor = 1e-9 * coupled.flow().grid().dx() / step;
+  while (true) {
+    ++report.iterations;
+    if (report.iterations > 1) coupled.flow().restore_state(start_);
+    apply(unknowns, ranks_);
+    coupled.place_markers();
+    coupled.advance_fluid(step);
+    coupled.find_loads(step);
+    const auto image = unknowns.image();
+    const double change = ranks_.max(unknowns.largest_change(image));
+    const double scale = std::max(ranks_.max(unknowns.largest_velocity()), floor);
+    report.residual = change / scale;
+    if (report.residual <= settings_.tolerance) break;
+    if (report.iterations >= settings_.max_iterations || !std::isfinite(report.residual))
+      throw CollectiveError(
+          fmt::format("strong coupling did not converge in {} iterations: velocities still change by {:.3g} of the "
+                      "largest one, coupling.tolerance is {:.3g}; take a smaller step, a lower coupling.relaxation, or "
+                      "more coupling.max_iterations",
+                      report.iterations, report.residual, settings_.tolerance));
+    relaxation_.relax(unknowns.values(), image);
+  }
+  unknowns.accept();
+  coupled.accept();
+  advance_loose_bodies(coupled, step);
+  return report;
+}
+
+}  // namespace pliant

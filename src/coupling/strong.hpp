@@ -1,0 +1,40 @@
+#pragma once
+#include "coupling/aitken.hpp"
+#include "coupling/coupled_flow.hpp"
+
+namespace pliant {
+
+/// How hard the last step of strong coupling was.
+struct StrongReport {
+  int iterations = 0;
+  double residual = 0;  ///< largest change of a velocity in the last one, over the largest velocity
+};
+
+/// Strong coupling: the fluid step is done again from its start until the motion that the flow was told agrees with the
+/// one that its loads make. Unknowns are the motions of all bodies with coupling "strong" at the end of the step; those
+/// coupled loosely keep their place meanwhile.
+///
+/// One iteration maps the motion y that the flow is told to the image G(y):
+/// - aitken: Newton's law over the step under the load that this motion causes (backward in the load);
+/// - hamming: the corrector of Hamming's method with the accelerations that this motion causes.
+/// Both relax towards the fixed point y = G(y) with Aitken's factor. Fixed points hold bodies of any mass ratio;
+/// Hamming's formula itself rings from an added mass of 7/9 of the body's own on.
+class StrongCoupling {
+ public:
+  StrongCoupling(const Communicator& ranks, const CouplingConfig& settings);
+
+  /// One step to `time`. Collective. Throws CollectiveError if the iterations do not converge.
+  StrongReport advance(CoupledFlow& coupled, double time, double step);
+
+  /// What a checkpoint needs beyond the bodies.
+  std::vector<double> state() const { return relaxation_.state(); }
+  void restore(std::span<const double> state) { relaxation_.restore(state); }
+
+ private:
+  Communicator ranks_;
+  CouplingConfig settings_;
+  AitkenRelaxation relaxation_;
+  FlowSolver::Snapshot start_;
+};
+
+}  // namespace pliant

@@ -1,0 +1,53 @@
+#pragma once
+#include <vector>
+
+#include "coupling/coupled_flow.hpp"
+#include "coupling/hamming.hpp"
+
+namespace pliant {
+
+/// The motions at the end of a step that strong coupling looks for, as one list of numbers a rank.
+class StrongUnknowns {
+ public:
+  /// Takes down where the rank's strongly coupled bodies are at the start of the step, and guesses their motion at its
+  /// end.
+  StrongUnknowns(CoupledFlow& coupled, double step);
+
+  std::vector<double>& values() { return values_; }
+  /// Moves the bodies to where the values say they are at the end of the step. Throws RunError if that is not finite.
+  void apply();
+  /// The values that the present loads make, G(y).
+  std::vector<double> image();
+  /// Largest change from the values to `image`, and the largest velocity, of this rank.
+  double largest_change(std::span<const double> image) const;
+  double largest_velocity() const;
+  /// The step is done: the bodies keep the state of the last apply(), and their accelerations.
+  void accept();
+
+ private:
+  struct Item {
+    Body* body = nullptr;
+    const BodyKind* kind = nullptr;
+    std::size_t begin = 0, size = 0;
+    double extent = 0;  // turns rates of rotation into velocities
+    RigidState start;
+    RigidAcceleration start_acceleration;
+    HingeState start_hinge;
+    double start_hinge_acceleration = 0;
+    Hamming hamming;
+  };
+  void guess(Item& item);
+  void set_from_velocities(Item& item);
+  void image_by_newton(Item& item, const RigidLoad& load, std::span<double> image);
+  void image_by_hamming(Item& item, const RigidLoad& load, std::span<double> image);
+  template <class Visit>
+  void for_each_velocity(const Item& item, Visit visit) const;
+
+  CoupledFlow& coupled_;
+  double step_;
+  StrongScheme scheme_;
+  std::vector<Item> items_;
+  std::vector<double> values_;
+};
+
+}  // namespace pliant
