@@ -75,10 +75,9 @@ std::vector<std::byte> CheckpointDirectory::encode() const {
   const auto directory = encode_directory(*this);
   Preamble preamble{magic, format_version, byte_order, directory.size(), file_size(), checksum(directory), 0};
   preamble.preamble_sum = sum_of(preamble);
-  ByteWriter out;
-  out.write(preamble);
-  auto bytes = out.take();
-  bytes.insert(bytes.end(), directory.begin(), directory.end());
+  std::vector<std::byte> bytes(preamble_size + directory.size());
+  std::memcpy(bytes.data(), &preamble, preamble_size);
+  std::memcpy(bytes.data() + preamble_size, directory.data(), directory.size());
   return bytes;
 }
 

@@ -23,7 +23,8 @@ std::string join(const std::vector<std::string>& cells) {
 std::filesystem::path require_columns(std::filesystem::path path, const std::string& columns) {
   std::string line;
   std::getline(std::ifstream(path), line);
-  if (line + '\n' != columns) throw RunError(fmt::format("{} does not begin with the columns {}", path.string(), columns));
+  if (line + '\n' != columns)
+    throw RunError(fmt::format("{} does not begin with the columns {}", path.string(), columns));
   return path;
 }
 

@@ -4,6 +4,7 @@
 #include <hdf5.h>
 
 #include <ctime>
+#include <fstream>
 
 #include "config/print_case.hpp"
 #include "core/version.hpp"
@@ -41,11 +42,26 @@ RunReport::RunReport(std::filesystem::path path, const CaseConfig& config, const
   content_["time"] = 0.0;
   content_["wall_seconds"] = 0.0;
   content_["ranks"] = ranks.size();
+  content_["restarts"] = Json::array();
   content_["program"] = {{"version", build.version}, {"commit", build.commit}, {"compiler", build.compiler},
                          {"flags", build.flags},     {"mpi", mpi_version()},   {"hdf5", hdf5_version()}};
   content_["case_file"] = config.file.string();
   content_["seconds_by_phase"] = Json::object();
   content_["case"] = resolved_case(config);
+}
+
+void RunReport::note_restart(const std::filesystem::path& checkpoint, long step, double time) {
+  std::ifstream file(path_);
+  const auto before = Json::parse(file, nullptr, false);
+  if (before.is_object()) {
+    content_["started"] = before.value("started", content_["started"]);
+    if (before.contains("restarts")) content_["restarts"] = before["restarts"];
+  }
+  content_["restarts"].push_back({{"at", now()},
+                                  {"checkpoint", checkpoint.string()},
+                                  {"step", step},
+                                  {"time", time},
+                                  {"ranks", content_["ranks"]}});
 }
 
 void RunReport::write(const RunStatus& status) {

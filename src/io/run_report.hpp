@@ -24,6 +24,10 @@ class RunReport {
   /// Takes down the case with every default filled in, the versions and the number of ranks; the run starts now.
   RunReport(std::filesystem::path path, const CaseConfig& config, const Communicator& ranks);
 
+  /// Notes that the run continues from a checkpoint. What the report that is there says of its start and of earlier
+  /// restarts is kept.
+  void note_restart(const std::filesystem::path& checkpoint, long step, double time);
+
   /// Rewrites the file in one piece; any status but "running" ends the run now. Throws RunError.
   void write(const RunStatus& status);
 

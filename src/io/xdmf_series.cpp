@@ -28,10 +28,11 @@ void XdmfSeries::resume(std::size_t count) {
   while (snapshots_.size() < count) {
     const auto time = text.find(before, at), body = text.find(after, time), stop = text.find(end, body);
     if (stop == std::string::npos)
-      throw RunError(fmt::format("{} lists {} snapshots, but listed {} before", path_.string(), snapshots_.size(), count));
+      throw RunError(
+          fmt::format("{} lists {} snapshots, but listed {} before", path_.string(), snapshots_.size(), count));
     const auto begin = time + before.size();
-    snapshots_.push_back({std::stod(text.substr(begin, body - begin)),
-                          text.substr(body + after.size(), stop - body - after.size())});
+    snapshots_.push_back(
+        {std::stod(text.substr(begin, body - begin)), text.substr(body + after.size(), stop - body - after.size())});
     at = stop;
   }
   if (count > 0) write();

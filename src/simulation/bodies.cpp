@@ -7,7 +7,7 @@
 
 namespace pliant {
 
-Bodies::Bodies(const CaseConfig& config, const Grid& grid) : fluid_(config.fluid) {
+Bodies::Bodies(const CaseConfig& config, const Grid& grid) : fluid_(config.fluid), ranks_(grid.ranks()) {
   const double mean_dz = grid.size().z / grid.cells()[2];
   const BodySetting setting{config.folder, (grid.dx() + grid.dy() + mean_dz) / 3};
   std::vector<std::string> problems;

@@ -4,6 +4,7 @@
 
 #include "config/case_config.hpp"
 #include "grid/grid.hpp"
+#include "core/body_blob.hpp"
 #include "io/surface_writer.hpp"
 #include "structure/deformable_body.hpp"
 #include "transfer/flow_sample.hpp"
@@ -20,6 +21,12 @@ class Bodies {
   std::size_t size() const { return bodies_.size(); }
   const std::vector<DeformableBody>& all() const { return bodies_; }
 
+  /// The state of the bodies that this rank answers for; all ranks together give each body once.
+  std::vector<BodyBlob> save() const;
+  /// Takes back what `save` gave, whichever rank is handed a body. Collective. Throws InputError, on all ranks, if the
+  /// bytes are not of these bodies.
+  void restore(std::vector<BodyBlob> blobs);
+
   /// Moves every body over a fluid step. Collective. Throws RunError, on all ranks, if a motion breaks down.
   void advance(const FlowSampler& flow, double step);
 
@@ -31,6 +38,7 @@ class Bodies {
 
  private:
   FluidConfig fluid_;
+  Communicator ranks_;
   std::vector<DeformableBody> bodies_;
 };
 

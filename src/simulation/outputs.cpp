@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "io/atomic_file.hpp"
 #include "parallel/agree.hpp"
 
 namespace pliant {
@@ -33,8 +34,10 @@ std::vector<std::string> history_columns(const BoundaryConfig& boundary) {
 
 }  // namespace
 
-Outputs::Outputs(const std::filesystem::path& folder, const CaseConfig& config, const Grid& grid, const Bodies& bodies)
-    : ranks_(grid.ranks()),
+Outputs::Outputs(const std::filesystem::path& folder, const CaseConfig& config, const Grid& grid, const Bodies& bodies,
+                 const OutputsState* resumed)
+    : folder_(folder),
+      ranks_(grid.ranks()),
       history_(config.output.history),
       fields_due_(config.output.fields),
       surfaces_due_(config.output.surfaces),
@@ -44,12 +47,54 @@ Outputs::Outputs(const std::filesystem::path& folder, const CaseConfig& config, 
     surfaces_.emplace_back(folder, body.name, std::vector<Face>(faces.begin(), faces.end()), ranks_);
   }
   do_on_root(ranks_, [&] {
-    history_table_.emplace(folder / "history.csv", history_columns(config.boundary));
+    history_table_ = make_table("history.csv", history_columns(config.boundary), resumed);
     if (bodies.size() > 0) std::filesystem::create_directories(folder / "bodies");
     for (std::size_t b = 0; b < bodies.size(); ++b)
-      body_tables_.push_back(
-          std::make_unique<CsvWriter>(folder / "bodies" / (bodies.all()[b].name + ".csv"), bodies.columns(b)));
+      body_tables_.push_back(make_table("bodies/" + bodies.all()[b].name + ".csv", bodies.columns(b), resumed));
+    if (resumed != nullptr) resume(*resumed);
   });
+  if (resumed == nullptr) return;
+  last_history_ = resumed->last_history;
+  last_fields_ = resumed->last_fields;
+  last_surfaces_ = resumed->last_surfaces;
+}
+
+std::unique_ptr<CsvWriter> Outputs::make_table(const std::string& file, std::vector<std::string> columns,
+                                               const OutputsState* resumed) const {
+  if (resumed == nullptr || !resumed->tables.contains(file))
+    return std::make_unique<CsvWriter>(folder_ / file, std::move(columns));
+  return std::make_unique<CsvWriter>(folder_ / file, std::move(columns), resumed->tables.at(file));
+}
+
+void Outputs::resume(const OutputsState& state) {
+  const auto resume_series = [&](XdmfSeries& series) {
+    const auto known = state.series.find(series.path().filename().string());
+    series.resume(known == state.series.end() ? 0 : static_cast<std::size_t>(known->second));
+  };
+  resume_series(fields_.series());
+  for (auto& surface : surfaces_) resume_series(surface.series());
+}
+
+OutputsState Outputs::state() const {
+  OutputsState state;
+  if (history_table_) state.tables["history.csv"] = history_table_->size();
+  for (const auto& table : body_tables_) state.tables["bodies/" + table->path().filename().string()] = table->size();
+  const auto add_series = [&](const XdmfSeries& series) {
+    state.series[series.path().filename().string()] = series.size();
+  };
+  add_series(fields_.series());
+  for (const auto& surface : surfaces_) add_series(surface.series());
+  state.last_history = last_history_;
+  state.last_fields = last_fields_;
+  state.last_surfaces = last_surfaces_;
+  return state;
+}
+
+void Outputs::bring_to_disk() const {
+  const auto state = this->state();
+  for (const auto& [file, size] : state.tables) pliant::bring_to_disk(folder_ / file);
+  for (const auto& [file, count] : state.series)
+    if (count > 0) pliant::bring_to_disk(folder_ / file);
 }
 
 double Outputs::next_time(double time) const {

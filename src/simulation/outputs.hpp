@@ -1,7 +1,6 @@
 #pragma once
 #include <filesystem>
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "flow/flow_solver.hpp"
@@ -9,6 +8,7 @@
 #include "io/field_writer.hpp"
 #include "io/surface_writer.hpp"
 #include "simulation/bodies.hpp"
+#include "simulation/outputs_state.hpp"
 #include "simulation/schedule.hpp"
 
 namespace pliant {
@@ -30,8 +30,15 @@ enum class Urgency {
 /// docs/output-files.md. All functions are collective and throw CollectiveError when a file cannot be written.
 class Outputs {
  public:
-  /// Starts the tables; `folder` exists and can be written.
-  Outputs(const std::filesystem::path& folder, const CaseConfig& config, const Grid& grid, const Bodies& bodies);
+  /// Starts the tables, or continues the files that are there where `resumed` says how far they had grown: what came
+  /// later is cut off and removed. `folder` exists and can be written.
+  Outputs(const std::filesystem::path& folder, const CaseConfig& config, const Grid& grid, const Bodies& bodies,
+          const OutputsState* resumed = nullptr);
+
+  /// How far the files have grown. Not collective: what the root says counts.
+  OutputsState state() const;
+  /// Waits until the tables and series are on the disk. On the root alone. Throws RunError.
+  void bring_to_disk() const;
 
   /// The next time at which a snapshot has to be taken.
   double next_time(double time) const;
@@ -44,15 +51,19 @@ class Outputs {
   void write_evidence(Moment moment, const FlowSolver& flow, const Bodies& bodies);
 
  private:
+  std::unique_ptr<CsvWriter> make_table(const std::string& file, std::vector<std::string> columns,
+                                        const OutputsState* resumed) const;
+  void resume(const OutputsState& state);
   void write_fields(Moment moment, const FlowSolver& flow);
   void write_surfaces(Moment moment, const Bodies& bodies);
 
+  std::filesystem::path folder_;
   Communicator ranks_;
   HistoryConfig history_;
   Schedule fields_due_, surfaces_due_;
   FieldWriter fields_;
   std::vector<SurfaceWriter> surfaces_;
-  std::optional<CsvWriter> history_table_;               // on the root
+  std::unique_ptr<CsvWriter> history_table_;             // on the root
   std::vector<std::unique_ptr<CsvWriter>> body_tables_;  // on the root
   long last_history_ = -1, last_fields_ = -1, last_surfaces_ = -1;
 };

@@ -75,12 +75,21 @@ void Progress::finish() {
   is_drawn_ = false;
 }
 
+void Progress::begin_at(long step, double time) {
+  last_step_ = step;
+  done_before_ = fraction_done(step, time);
+}
+
+double Progress::fraction_done(long step, double time) const {
+  const double by_time = goal_.end_time > 0 ? time / goal_.end_time : 0;
+  if (goal_.max_steps <= 0) return by_time;
+  return std::max(by_time, static_cast<double>(step) / static_cast<double>(goal_.max_steps));
+}
+
 std::string Progress::describe(const ProgressLine& line, double wall) const {
-  double fraction = goal_.end_time > 0 ? line.time / goal_.end_time : 0;
-  if (goal_.max_steps > 0)
-    fraction = std::max(fraction, static_cast<double>(line.step) / static_cast<double>(goal_.max_steps));
+  const double fraction = fraction_done(line.step, line.time), done = fraction - done_before_;
   const double elapsed = Seconds(Clock::now() - start_).count();
-  const double left = fraction > 0 ? elapsed * (1 - fraction) / fraction : HUGE_VAL;
+  const double left = done > 0 ? elapsed * (1 - fraction) / done : HUGE_VAL;
   const auto steps = static_cast<double>(line.step - last_step_);
   std::string speed;
   if (steps > 0 && wall > 0)

@@ -35,6 +35,8 @@ class Progress {
  public:
   Progress(Log log, ProgressStyle style, ProgressGoal goal);
 
+  /// A run that continues begins here: speed and remaining time count from this step on.
+  void begin_at(long step, double time);
   /// True if it is time to show something; what is costly to find out is found out only then.
   bool is_due() const;
   void show(const ProgressLine& line);
@@ -43,6 +45,7 @@ class Progress {
 
  private:
   using Clock = std::chrono::steady_clock;
+  double fraction_done(long step, double time) const;
   std::string describe(const ProgressLine& line, double wall) const;
 
   Log log_;
@@ -51,6 +54,7 @@ class Progress {
   Clock::time_point start_ = Clock::now();
   Clock::time_point last_ = start_;
   long last_step_ = 0;
+  double done_before_ = 0;  // part of the run
   bool is_drawn_ = false;
 };
 

@@ -8,16 +8,19 @@
 #include <optional>
 #include <utility>
 
+#include "core/byte_stream.hpp"
 #include "core/error.hpp"
 #include "core/timer.hpp"
 #include "core/version.hpp"
 #include "parallel/agree.hpp"
 #include "io/run_report.hpp"
 #include "signals/make_signal.hpp"
+#include "simulation/case_identity.hpp"
 #include "simulation/output_folder.hpp"
 #include "simulation/outputs.hpp"
 #include "simulation/stop_signals.hpp"
 #include "simulation/time_step.hpp"
+#include "simulation/wall_clock.hpp"
 #include "transfer/mls_sampler.hpp"
 
 namespace pliant {
@@ -35,13 +38,26 @@ FlowParameters flow_parameters(const CaseConfig& config) {
 }
 
 // What the ranks have to agree on after a step, the most urgent first; the largest of all ranks counts.
-constexpr int show_progress = 1;
+constexpr int show_progress = 1;   // of the root alone, as is
+constexpr int checkpoint_due = 2;  // added to the one above
+constexpr int stop_by_clock = 500;
 constexpr int stop_by_signal = 1000;  // plus the signal
 constexpr int body_failed = 10000;
 constexpr int flow_failed = 20000;  // above the bodies: a flow that fails takes them along
 
+// A state is kept in memory at every so many steps, for the checkpoint of a run that fails: a copy of four fields, far
+// cheaper than that many steps, and from before most of the growth of an instability.
+constexpr long steps_between_good_states = 20;
+
 // Which of the run's numbers are wanted at a step: the table's as scheduled, people's too, or both as the run ends.
 enum class Record { scheduled, shown, last };
+
+// All that a checkpoint says of a moment, in memory.
+struct GoodState {
+  CheckpointHead head;
+  FlowSnapshot flow;
+  std::vector<BodyBlob> bodies;
+};
 
 }  // namespace
 
@@ -61,6 +77,12 @@ struct Simulation::Impl {
   bool is_at_end() const;
   [[noreturn]] void fail(int state);
   std::string explain_flow_failure() const;
+  void begin_anew();
+  void begin_from_checkpoint();
+  CheckpointHead head() const;
+  void write_checkpoint();
+  void keep_good_state();
+  std::string write_good_state();
   void report(const std::string& status);
   std::map<std::string, double> slowest_phases();
 
@@ -78,6 +100,11 @@ struct Simulation::Impl {
   std::optional<Outputs> outputs;
   std::optional<RunReport> run_report;  // on the root
   Progress progress;
+  Checkpoints checkpoints;
+  WallClock wall_clock;
+  std::string case_text;
+  std::optional<GoodState> good_state;
+  bool is_checkpoint_failing = false;
 
   Moment now;
   double next_event = 0;
@@ -100,13 +127,59 @@ Simulation::Impl::Impl(const CaseConfig& case_config, const Communicator& commun
       sampler(grid, {&flow.state().u, &flow.state().v, &flow.state().w, &flow.state().p}, config.fluid.density),
       progress(log, ranks.is_root() ? options.progress : ProgressStyle::silent,
                {config.time.end, config.time.max_steps.value_or(-1),
-                static_cast<double>(config.box.cells[0]) * config.box.cells[1] * config.box.cells[2]}) {
-  set_initial_flow(flow, config.initial);
-  prepare_output_folder(options.output, ranks);
-  outputs.emplace(options.output, config, grid, bodies);
-  do_on_root(ranks, [&] { run_report.emplace(options.output / "run.json", config, ranks); });
+                static_cast<double>(config.box.cells[0]) * config.box.cells[1] * config.box.cells[2]}),
+      checkpoints(options.output, config.checkpoint, ranks),
+      wall_clock(options.wall_clock),
+      case_text(case_identity(config).dump(-1, ' ', false, Json::error_handler_t::replace)) {
+  if (options.restart) begin_from_checkpoint();
+  else begin_anew();
   report("running");
   timer.add("set-up", std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+}
+
+void Simulation::Impl::begin_anew() {
+  set_initial_flow(flow, config.initial);
+  prepare_output_folder(options.output, ranks, EarlierOutputs::removed);
+  outputs.emplace(options.output, config, grid, bodies);
+  do_on_root(ranks, [&] { run_report.emplace(options.output / "run.json", config, ranks); });
+}
+
+void Simulation::Impl::begin_from_checkpoint() {
+  const auto checkpoint = open_checkpoint(*options.restart, options.output, config, ranks, log);
+  const auto& saved = checkpoint.reader->head();
+  // The outputs go on in the folder that the checkpoint is in; in another one they start with it.
+  const auto folder = std::filesystem::weakly_canonical(std::filesystem::absolute(checkpoint.file)).parent_path();
+  const bool goes_on =
+      folder == std::filesystem::weakly_canonical(std::filesystem::absolute(options.output) / "checkpoints");
+  try {
+    checkpoint.reader->restore(flow);
+    bodies.restore(checkpoint.reader->read_bodies());
+    ByteReader run(saved.run);
+    run.read(dt);
+    run.read(last_cfl);
+    run.expect_end();
+    now = {saved.step, saved.time};
+    prepare_output_folder(options.output, ranks, goes_on ? EarlierOutputs::continued : EarlierOutputs::removed);
+    const auto grown = OutputsState::decode(saved.outputs);
+    outputs.emplace(options.output, config, grid, bodies, goes_on ? &grown : nullptr);
+  } catch (const CheckpointRefused& refused) {
+    throw InputError(fmt::format("{} {}", checkpoint.file.string(), refused.what()));
+  } catch (const ByteStreamError& error) {
+    throw InputError(fmt::format("{} cannot be read: {}", checkpoint.file.string(), error.what()));
+  } catch (const CollectiveError& error) {
+    throw InputError(
+        fmt::format("the outputs in {} cannot be continued: {}; continue in another folder with --out DIR "
+                    "--restart {}",
+                    options.output.string(), error.what(), checkpoint.file.string()));
+  }
+  if (goes_on) checkpoints.resume_after(now.step);
+  do_on_root(ranks, [&] {
+    if (goes_on) remove_unlisted_snapshots(options.output, now.step);
+    run_report.emplace(options.output / "run.json", config, ranks);
+    run_report->note_restart(checkpoint.file, now.step, now.time);
+  });
+  progress.begin_at(now.step, now.time);
+  log.info("continuing from {}: step {}, t = {:.6g}", checkpoint.file.string(), now.step, now.time);
 }
 
 RunResult Simulation::Impl::run(const Simulation& self, const Observer& observer) {
@@ -118,6 +191,10 @@ RunResult Simulation::Impl::run(const Simulation& self, const Observer& observer
       report(fmt::format("stopped by signal {}", result.signal));
       log.info("stopped by signal {} at step {}, t = {:.6g}; the outputs up to here are in {}", result.signal,
                result.steps, result.time, options.output.string());
+    } else if (result.end == RunEnd::wall_clock) {
+      report("stopped by the wall clock");
+      log.info("stopped by the wall clock at step {}, t = {:.6g}; run again with --restart to go on", result.steps,
+               result.time);
     } else {
       report("finished");
       log.info("finished at step {}, t = {:.6g}; outputs are in {}", result.steps, result.time,
@@ -127,8 +204,13 @@ RunResult Simulation::Impl::run(const Simulation& self, const Observer& observer
   } catch (const std::exception& error) {
     progress.finish();
     const std::string status = fmt::format("failed: {}", error.what());
+    const bool is_known_to_all = dynamic_cast<const CollectiveError*>(&error) != nullptr;
+    if (is_known_to_all && !is_checkpoint_failing) {
+      const auto note = write_good_state();
+      if (!note.empty()) log.info("{}", note);
+    }
     try {
-      if (dynamic_cast<const CollectiveError*>(&error)) report(status);
+      if (is_known_to_all) report(status);
       else if (run_report)  // other ranks may know nothing of this: no collective call can be made any more
         run_report->write({status, now.step, now.time, 0, timer.seconds()});
     } catch (const RunError&) {
@@ -144,7 +226,9 @@ RunResult Simulation::Impl::loop(const Simulation& self, const Observer& observe
   write_outputs(Urgency::scheduled);
   if (observer) observer(self);
   int state = 0;
-  while (!is_at_end() && state < stop_by_signal) {
+  keep_good_state();
+  wall_clock.end_step();
+  while (!is_at_end() && state < stop_by_clock) {
     dt = choose_step();
     advance_fluid(dt);
     advance_bodies(dt);
@@ -155,10 +239,16 @@ RunResult Simulation::Impl::loop(const Simulation& self, const Observer& observe
 
     state = agree_on_state(signals);
     if (state >= body_failed) fail(state);
-    record(state == show_progress ? Record::shown : Record::scheduled);
+    const bool is_going_on = state < stop_by_clock;
+    record(is_going_on && (state & show_progress) != 0 ? Record::shown : Record::scheduled);
     write_outputs(Urgency::scheduled);
     if (observer) observer(self);
+    if (now.step % steps_between_good_states == 0) keep_good_state();
+    if (checkpoints.is_due_by_step(now.step) || (is_going_on && (state & checkpoint_due) != 0)) write_checkpoint();
+    wall_clock.end_step();
   }
+  // Before the outputs of the last step that are on no schedule: a run that goes on from here does not have them.
+  write_checkpoint();
   record(Record::last);
   write_outputs(Urgency::last);
 
@@ -166,6 +256,8 @@ RunResult Simulation::Impl::loop(const Simulation& self, const Observer& observe
   if (state >= stop_by_signal) {
     result.end = RunEnd::signal;
     result.signal = state - stop_by_signal;
+  } else if (state >= stop_by_clock && !is_at_end()) {
+    result.end = RunEnd::wall_clock;
   } else if (now.time < config.time.end) {
     result.end = RunEnd::max_steps;
   }
@@ -223,7 +315,12 @@ void Simulation::Impl::advance_bodies(double step) {
 }
 
 int Simulation::Impl::agree_on_state(const StopSignals& signals) {
-  int state = ranks.is_root() && progress.is_due() ? show_progress : 0;
+  int state = 0;
+  if (ranks.is_root()) {
+    if (progress.is_due()) state += show_progress;
+    if (checkpoints.is_due_by_clock()) state += checkpoint_due;
+    if (wall_clock.is_time_to_stop(checkpoints.expected_seconds(flow))) state = stop_by_clock;
+  }
   if (const int signal = signals.received()) state = stop_by_signal + signal;
   if (!body_problem.empty()) state = body_failed;
   // The projection is global: what is not a number in one cell is in every cell after a step.
@@ -269,7 +366,58 @@ void Simulation::Impl::fail(int state) {
   } catch (const CollectiveError& error) {
     evidence = fmt::format("The last state could not be written: {}", error.what());
   }
-  throw CollectiveError(fmt::format("{}: {}. {}", where, what, evidence));
+  const auto note = write_good_state();
+  throw CollectiveError(fmt::format("{}: {}. {}{}", where, what, evidence, note.empty() ? "" : ". " + note));
+}
+
+CheckpointHead Simulation::Impl::head() const {
+  const auto build = build_info();
+  CheckpointHead head;
+  head.step = now.step;
+  head.time = now.time;
+  head.ranks = ranks.size();
+  head.program = fmt::format("Pliant {} ({})", build.version, build.commit);
+  head.case_text = case_text;
+  ByteWriter run;
+  run.write(dt);
+  run.write(last_cfl);
+  head.run = run.take();
+  head.flow = flow.state_numbers();
+  head.outputs = outputs->state().encode();
+  return head;
+}
+
+void Simulation::Impl::write_checkpoint() {
+  if (!checkpoints.are_wanted() || checkpoints.last_step() == now.step) return;
+  const auto scope = timer.measure("checkpoints");
+  is_checkpoint_failing = true;
+  do_on_root(ranks, [&] { outputs->bring_to_disk(); });
+  checkpoints.write(head(), flow, bodies.save());
+  is_checkpoint_failing = false;
+}
+
+void Simulation::Impl::keep_good_state() {
+  if (!checkpoints.are_wanted()) return;
+  const auto scope = timer.measure("checkpoints");
+  if (!good_state) good_state.emplace();
+  good_state->head = head();
+  flow.save_state(good_state->flow);
+  good_state->bodies = bodies.save();
+}
+
+// For a run that fails: the last state known to be good. Says where it is, or why it is nowhere.
+std::string Simulation::Impl::write_good_state() {
+  if (!good_state) return "";
+  const auto good = *std::exchange(good_state, std::nullopt);
+  std::string problem;
+  if (checkpoints.last_step() < good.head.step) {
+    try {
+      flow.restore_state(good.flow);
+      checkpoints.write(good.head, flow, good.bodies);
+    } catch (const CollectiveError& error) { problem = error.what(); }
+  }
+  if (checkpoints.last_step() < 0) return fmt::format("No checkpoint could be written: {}", problem);
+  return fmt::format("The checkpoint before it is {}", checkpoints.last_path().string());
 }
 
 std::string Simulation::Impl::explain_flow_failure() const {

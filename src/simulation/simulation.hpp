@@ -2,11 +2,13 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "config/case_config.hpp"
 #include "flow/flow_solver.hpp"
 #include "simulation/bodies.hpp"
+#include "simulation/checkpoints.hpp"
 #include "simulation/progress.hpp"
 
 namespace pliant {
@@ -14,9 +16,11 @@ namespace pliant {
 struct SimulationOptions {
   std::filesystem::path output = "out";  ///< folder for all files of the run
   ProgressStyle progress = ProgressStyle::automatic;
+  std::optional<RestartRequest> restart = std::nullopt;  ///< none: from the initial flow
+  std::optional<double> wall_clock = std::nullopt;       ///< seconds in which the run has to end; none: no limit
 };
 
-enum class RunEnd { end_time, max_steps, signal };
+enum class RunEnd { end_time, max_steps, signal, wall_clock };
 
 /// How a run came to its end; a run that fails throws instead.
 struct RunResult {
@@ -36,7 +40,8 @@ class Simulation {
   using Observer = std::function<void(const Simulation&)>;
 
   /// Collective. Sets everything up and prepares the output folder, but computes nothing yet.
-  /// Throws InputError: more ranks than planes, a bad mesh, a folder that cannot be written.
+  /// Throws InputError: more ranks than planes, a bad mesh, a folder that cannot be written, a checkpoint that is
+  /// refused.
   Simulation(const CaseConfig& config, const Communicator& ranks, SimulationOptions options);
   ~Simulation();
 
