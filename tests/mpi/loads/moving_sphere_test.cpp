@@ -120,5 +120,58 @@ TEST(MovingSphere, FeelsDragAndAddedMassOfAnOscillation) {
   EXPECT_LT(error(second_order), 0.3);
 }
 
+// A sphere that spins steadily in a fluid of which the box holds little beyond: torque about -8 pi mu R^3 omega.
+TEST(SpinningSphere, FeelsTheTorqueOfStokesFlow) {
+  SphereInFlow box;
+  box.cells = 30;
+  box.diameter = 12;
+  const double viscosity = 2, radius = 6, dt = 0.1;
+  const Vec3 omega{0.01, -0.02, 0.03}, center = center_of(box);
+  const Grid grid = make_grid(box);
+  FlowParameters parameters;
+  parameters.viscosity = viscosity;
+  FlowSolver solver(grid, parameters);
+  solver.fill_ghosts();
+  auto surface = make_icosphere(8, radius);
+  for (Vec3& x : surface.positions) x += center;
+  std::vector<Vec3> velocities, accelerations;
+  for (Vec3 x : surface.positions) {
+    velocities.push_back(cross(omega, x - center));
+    accelerations.push_back(cross(omega, velocities.back()));
+  }
+  const MarkerLayout layout(surface.mesh, 1);
+  MarkerSet markers;
+  layout.place(surface.positions, velocities, markers);
+  DirectForcing forcing(grid, 1.0);
+  forcing.place(markers.positions, markers.areas, markers.velocities);
+  for (int n = 0; n < 360; ++n)
+    solver.advance(dt, [&](const Substep& s, double h, View<FaceX> u, View<FaceY> v, View<FaceZ> w) {
+      forcing.apply(s, h, u, v, w);
+    });
+  std::vector<Vec3> on_markers(markers.positions.size());
+  forcing.add_forces(on_markers);
+  const auto felt = total_load(markers.positions, on_markers, center);
+  double sums[3] = {felt.torque.x, felt.torque.y, felt.torque.z};
+  grid.ranks().sum(sums);
+  const Vec3 torque{sums[0], sums[1], sums[2]}, stokes = (-8 * M_PI * viscosity * radius * radius * radius) * omega;
+  std::printf("balance/stokes %.3f %.3f %.3f\n", torque.x / stokes.x, torque.y / stokes.y, torque.z / stokes.z);
+  SurfaceSites sites;
+  set_sites(surface.mesh, surface.positions, velocities, accelerations, sites);
+  const auto& flow = solver.state();
+  const MlsSampler sampler(grid, {&flow.u, &flow.v, &flow.w, &flow.p}, 1.0);
+  for (const ProbeForm form : {ProbeForm::gradient, ProbeForm::one_sided, ProbeForm::quadratic}) for (double h : {1.0, 1.5,2.0}) for (bool turn : {true,false}) {
+    const ProbeSettings settings{form, Wetting::outside, h, forced_surface_offset, 1.0, viscosity, {}};
+    auto ss=sites; if(!turn) for (auto& r:ss.normal_rates) r={};
+    std::vector<Vec3> points;
+    probe_points(sites, settings, points);
+    std::vector<FlowSample> samples(points.size());
+    sampler.sample(points, samples);
+    ProbeLoads loads;
+    evaluate_probes(ss, settings, samples, loads);
+    const auto t = total_load(sites.positions, loads.forces, center).torque;
+    std::printf("form %d h %g turn %d: %.3f\n", (int)form, h, turn, dot(t,stokes)/dot(stokes,stokes));
+  }
+}
+
 }  // namespace
 }  // namespace pliant::test
