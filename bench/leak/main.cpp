@@ -26,6 +26,11 @@ void measure(double diameter, int frequency, int parts, int iterations) {
   const auto leak = test::measure_leak(flow, frequency, parts, 40);
   if (!Communicator().is_root()) return;
   const int n = parts == 0 ? refinement_for(longest_edge(frequency, diameter), 1.0) : parts;
+  if (!std::isfinite(leak.rms)) {
+    fmt::print("| {} | {} | {} | {} | {} | {:.2f} | unstable |\n", diameter, 20 * frequency * frequency, parts,
+               iterations, leak.markers, longest_edge(frequency, diameter) / n);
+    return;
+  }
   fmt::print("| {} | {} | {} | {} | {} | {:.2f} | {:.4f} | {:.4f} | {:.4f} | {:.4f} | {:.4f} |\n", diameter,
              20 * frequency * frequency, parts == 0 ? "rule" : std::to_string(parts), iterations, leak.markers,
              longest_edge(frequency, diameter) / n, leak.rms_at_markers, leak.rms, leak.largest, leak.through,

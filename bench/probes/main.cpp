@@ -19,7 +19,7 @@ Vec3 sum(const std::vector<Vec3>& forces) {
   return total;
 }
 
-void measure(const test::SphereInFlow& c, int frequency, int steps) {
+void measure(const test::SphereInFlow& c, int frequency, int steps, double retraction) {
   const Grid grid = test::make_grid(c);
   auto solver = test::make_solver(c, grid);
   auto surface = make_icosphere(frequency, c.diameter / 2);
@@ -27,7 +27,7 @@ void measure(const test::SphereInFlow& c, int frequency, int steps) {
   const std::vector<Vec3> zero(surface.positions.size());
   const MarkerLayout layout(surface.mesh, refinement_for(surface.mesh, surface.positions, grid.dx()));
   MarkerSet markers;
-  layout.place(surface.positions, zero, markers);
+  layout.place_inside(surface.positions, zero, retraction, markers);
   DirectForcing forcing(grid, 1.0, c.iterations);
   forcing.place(markers.positions, markers.areas, markers.velocities);
   for (int n = 0; n < steps; ++n)
@@ -44,20 +44,20 @@ void measure(const test::SphereInFlow& c, int frequency, int steps) {
   const MlsSampler sampler(grid, {&flow.u, &flow.v, &flow.w, &flow.p}, 1.0);
   SurfaceSites sites;
   set_sites(surface.mesh, surface.positions, zero, zero, sites);
-  for (const double h : {1.0, 1.5, 2.0, 2.5, 3.0}) {
-    fmt::print("| {} | {} | {}", c.diameter, c.reynolds, h);
-    for (const ProbeForm form : {ProbeForm::gradient, ProbeForm::one_sided, ProbeForm::quadratic})
-      for (const double offset : {0.0, forced_surface_offset}) {
-        if (form == ProbeForm::gradient && offset > 0) continue;
-        const ProbeSettings settings{form, Wetting::outside, h, offset, 1.0, solver.parameters().viscosity, {}};
-        std::vector<Vec3> points;
-        probe_points(sites, settings, points);
-        std::vector<FlowSample> samples(points.size());
-        sampler.sample(points, samples);
-        ProbeLoads loads;
-        evaluate_probes(sites, settings, samples, loads);
-        fmt::print(" | {:.2f}", sum(loads.forces).x / exact);
-      }
+  const double coefficient = exact / (M_PI / 8 * c.diameter * c.diameter);
+  for (const double h : {1.0, 1.5, 2.0, 3.0}) {
+    fmt::print("| {} | {} | {} | {:.3f} | {}", c.reynolds, c.diameter, retraction, coefficient, h);
+    for (const ProbeForm form : {ProbeForm::gradient, ProbeForm::one_sided, ProbeForm::quadratic}) {
+      const double offset = retraction > 0 ? 0 : forced_surface_offset;
+      const ProbeSettings settings{form, Wetting::outside, h, offset, 1.0, solver.parameters().viscosity, {}};
+      std::vector<Vec3> points;
+      probe_points(sites, settings, points);
+      std::vector<FlowSample> samples(points.size());
+      sampler.sample(points, samples);
+      ProbeLoads loads;
+      evaluate_probes(sites, settings, samples, loads);
+      fmt::print(" | {:.2f}", sum(loads.forces).x / exact);
+    }
     fmt::print(" |\n");
   }
   std::fflush(stdout);
@@ -68,13 +68,14 @@ void measure(const test::SphereInFlow& c, int frequency, int steps) {
 int main(int argc, char** argv) {
   MPI_Init(&argc, &argv);
   for (const double reynolds : {20.0, 100.0})
-    for (const double diameter : {12.0, 16.0, 28.0}) {
-      test::SphereInFlow flow;
-      flow.diameter = diameter;
-      flow.reynolds = reynolds;
-      flow.courant = 0.2;
-      flow.cells = static_cast<int>(2.5 * diameter);
-      measure(flow, 8, static_cast<int>(diameter / flow.courant));
-    }
+    for (const double diameter : {12.0, 16.0, 28.0})
+      for (const double retraction : {0.0, marker_retraction}) {
+        test::SphereInFlow flow;
+        flow.diameter = diameter;
+        flow.reynolds = reynolds;
+        flow.courant = 0.2;
+        flow.cells = static_cast<int>(2.5 * diameter);
+        measure(flow, 8, static_cast<int>(diameter / flow.courant), retraction);
+      }
   MPI_Finalize();
 }

@@ -16,8 +16,9 @@ enum class ProbeForm {
 
 /// Where a flow that direct forcing holds takes the velocity of the surface: so many spacings outside the markers. The
 /// force is spread over about a cell, and with u rising by mu u' = integral of f through that layer, the velocity that
-/// markers find, a mean over the layer, is met outside its middle (W.-P. Breugem, J. Comput. Phys. 231, 2012, retracts
-/// the markers for this reason). Measured 0.20 to 0.31 on a resolved sphere: bench/markers.md.
+/// markers find, a mean over the layer, is met outside its middle (W.-P. Breugem, J. Comput. Phys. 231, 2012). Measured
+/// 0.20 to 0.31 on a resolved sphere: bench/markers.md. Markers that stand inside a closed body (marker_retraction)
+/// meet the flow's surface at its own: 0 then.
 inline constexpr double forced_surface_offset = 0.25;
 
 /// Which sides of a surface the fluid touches: closed bodies are wetted outside, membranes on both sides.

@@ -118,6 +118,27 @@ void MarkerLayout::place(std::span<const Vec3> positions, std::span<const Vec3> 
   }
 }
 
+void MarkerLayout::place_inside(std::span<const Vec3> positions, std::span<const Vec3> velocities, double retraction,
+                                MarkerSet& markers) const {
+  place(positions, velocities, markers);
+  for (int f = 0; f < n_faces(); ++f) {
+    const Face& face = faces_[static_cast<std::size_t>(f)];
+    const auto edge = [&](std::span<const Vec3> values, std::size_t k) {
+      return values[static_cast<std::size_t>(face[k])] - values[static_cast<std::size_t>(face[0])];
+    };
+    const auto first = static_cast<std::size_t>(first_marker(f)), last = static_cast<std::size_t>(first_marker(f + 1));
+    const Vec3 normal = markers.normals[first];
+    const Vec3 rate =
+        (cross(edge(velocities, 1), edge(positions, 2)) + cross(edge(positions, 1), edge(velocities, 2))) /
+        norm(face_vector(face, positions));
+    const Vec3 normal_rate = rate - dot(rate, normal) * normal;
+    for (std::size_t m = first; m < last; ++m) {
+      markers.positions[m] -= retraction * normal;
+      markers.velocities[m] -= retraction * normal_rate;
+    }
+  }
+}
+
 void MarkerLayout::interpolate(std::span<const Vec3> of_vertices, std::span<Vec3> at_markers) const {
   std::size_t m = 0;
   for (std::size_t f = 0; f < faces_.size(); ++f)

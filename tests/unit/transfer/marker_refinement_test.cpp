@@ -95,6 +95,22 @@ TEST(MarkerLayout, GivesVelocitiesOfLinearFieldsExactly) {
     EXPECT_LT(norm(markers.velocities[m] - (Vec3{1, 2, 3} + gradient * markers.positions[m])), 1e-13);
 }
 
+TEST(MarkerLayout, PlacesMarkersInsideThatMoveWithTheBody) {
+  const auto surface = uneven_sphere();
+  const MarkerLayout layout(surface.mesh, mixed_parts(surface.mesh));
+  const Vec3 omega{0.3, -1, 2};
+  std::vector<Vec3> velocities;
+  for (Vec3 x : surface.positions) velocities.push_back(Vec3{1, 2, 3} + cross(omega, x));
+  MarkerSet on, in;
+  layout.place(surface.positions, velocities, on);
+  layout.place_inside(surface.positions, velocities, 0.07, in);
+  for (std::size_t m = 0; m < on.positions.size(); ++m) {
+    EXPECT_LT(norm(in.positions[m] + 0.07 * on.normals[m] - on.positions[m]), 1e-15);
+    EXPECT_LT(norm(in.velocities[m] - (Vec3{1, 2, 3} + cross(omega, in.positions[m]))), 1e-13);
+    EXPECT_EQ(in.areas[m], on.areas[m]);
+  }
+}
+
 TEST(MarkerLayout, ReturnsForceAndTorqueWhole) {
   const auto surface = uneven_sphere();
   const MarkerLayout layout(surface.mesh, mixed_parts(surface.mesh));
