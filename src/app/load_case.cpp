@@ -36,19 +36,22 @@ void check_extent(const CaseConfig& config, const PlacedCopy& copy, std::vector<
   check_extent(config, copy.place, lower, upper, problems);
 }
 
-/// How far from its surface a body's traction takes the flow.
-double probe_length(const CaseConfig& config, const BodyConfig& body) {
-  const auto form = body.traction.form;
-  if (body.motion == MotionKind::fixed || (form != TractionForm::one_sided && form != TractionForm::gradient)) return 0;
+/// How far from its surface the stress is taken that moves a body; 0 for bodies that move without it.
+double probe_reach(const CaseConfig& config, const BodyConfig& body) {
+  const bool is_driven = body.motion == MotionKind::deformable ||
+                         (body.loads == LoadSource::probes &&
+                          (body.motion == MotionKind::rigid || body.motion == MotionKind::hinge));
   const auto& box = config.box;
-  const Vec3 spacing{box.size.x / box.cells[0], box.size.y / box.cells[1], box.size.z / box.cells[2]};
-  const double given = body.traction.probe_length;
-  return given > 0 ? given : (spacing.x + spacing.y + spacing.z) / 3;
+  const double spacing =
+      (box.size.x / box.cells[0] + box.size.y / box.cells[1] + box.size.z / box.cells[2]) / 3;
+  const auto traction = resolve(body.traction, body.motion, spacing);
+  if (!is_driven || traction.form == TractionForm::none || traction.form == TractionForm::drag) return 0;
+  return traction.form == TractionForm::quadratic ? 2 * traction.probe_length : traction.probe_length;
 }
 
 /// The flow is taken at the ends of the probes, which have to be in the box as the body has.
 void check_probes(const CaseConfig& config, const PlacedCopy& copy, std::vector<std::string>& problems) {
-  const double length = probe_length(config, copy.body);
+  const double length = probe_reach(config, copy.body);
   if (length == 0) return;
   const auto& box = config.box;
   const auto centroids = face_centroids(copy.mesh, copy.positions);
@@ -92,7 +95,7 @@ void check_copies(const CaseConfig& config, std::size_t index, const PlacedBody&
   const auto before = problems.size();
   for (std::size_t i = 0; i < placed.placements.size() && problems.size() < before + enough; ++i) {
     const auto sphere = place(placed.sphere, placed.placements[i]);
-    if (is_clear_of_sides(config, sphere, probe_length(config, body)) && fits_beside_its_images(config, sphere))
+    if (is_clear_of_sides(config, sphere, probe_reach(config, body)) && fits_beside_its_images(config, sphere))
       continue;
     auto where = place_of(config, "body." + body.name);
     if (has_copies(body)) where += ", copy " + copy_name(body, i, placed.placements.size()) + ",";

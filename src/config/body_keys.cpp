@@ -40,10 +40,10 @@ void add_traction(std::vector<BodyKey>& keys) {
       "traction.form is \"drag\"", is_drag));
   keys.push_back(only_when<BodyConfig>(
       make_key<BodyConfig>(
-          {"traction.probe_length", "length", "how far from the surface the flow is sampled; 0: the mean grid spacing"},
+          {"traction.probe_length", "length", "how far from the surface the flow is sampled; 0: the mean grid spacing, 1.5 times that for \"quadratic\""},
           [](auto& b) { return &b.traction.probe_length; }, at_least(0)),
-      "traction.form is \"one-sided\" or \"gradient\"", [](const BodyConfig& b) {
-        return b.traction.form == TractionForm::one_sided || b.traction.form == TractionForm::gradient;
+      "traction.form is not \"none\" or \"drag\"", [](const BodyConfig& b) {
+        return b.traction.form != TractionForm::none && b.traction.form != TractionForm::drag;
       }));
 }
 

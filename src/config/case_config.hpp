@@ -170,15 +170,16 @@ struct PlacementConfig {
   OrientationKind orientation = OrientationKind::given;
 };
 
-enum class TractionForm { none, drag, one_sided, gradient };
+/// automatic: quadratic for bodies that act on the flow, one-sided for deformable ones.
+enum class TractionForm { automatic, none, drag, one_sided, gradient, quadratic };
 /// Whose area a vertex's drag counts: a network's drag belongs to its material, a liquid interface's to its present
 /// area.
 enum class DragArea { reference, current };
 struct TractionConfig {
-  TractionForm form = TractionForm::one_sided;
+  TractionForm form = TractionForm::automatic;
   double coefficient = 100.0;  ///< drag: c_d in c = c_d mu A_node / R
   DragArea area = DragArea::reference;
-  double probe_length = 0.0;  ///< one-sided, gradient: 0 means the mean grid spacing
+  double probe_length = 0.0;  ///< of all forms but drag: 0 means the mean grid spacing, times 1.5 for quadratic
 };
 
 struct EdgeConfig {
@@ -265,6 +266,7 @@ struct BodyConfig {
   HingeConfig hinge;
   LoadSource loads = LoadSource::momentum_balance;
   int marker_refinement = 0;  ///< markers along the edge of a face; 0: as many as the grid asks for
+  std::optional<double> marker_retraction;  ///< spacings; default: that of closed bodies, 0 for open ones
   double mass_per_vertex = 1.0;
   double damping = 0.0;         ///< force = -damping * velocity of the vertex
   std::optional<int> substeps;  ///< within a fluid step; else found from the stability limit

@@ -126,6 +126,12 @@ void add_motion_keys(std::vector<BodyKey>& keys) {
            "parts that each edge of a face is cut in to place markers; 0: as many as the grid asks for"},
           [](auto& b) { return &b.marker_refinement; }, between(0, 100)),
       "coupling is not \"one-way\"", [](const BodyConfig& b) { return b.coupling != CouplingKind::one_way; }));
+  keys.push_back(only_when<BodyConfig>(
+      make_key<BodyConfig>({"marker_retraction", "grid spacings",
+                            "how far inside the surface markers are put, since forcing acts as a body larger by about as "
+                            "much; default: 0.2 for closed surfaces, 0 for open ones"},
+                           [](auto& b) { return &b.marker_retraction; }, between(0, 1)),
+      "coupling is not \"one-way\"", [](const BodyConfig& b) { return b.coupling != CouplingKind::one_way; }));
   add_path(keys);
   add_material(keys);
   add_rigid(keys);

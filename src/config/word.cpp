@@ -59,10 +59,12 @@ Words<OrientationKind> words_of<OrientationKind>() {
 
 template <>
 Words<TractionForm> words_of<TractionForm>() {
-  return {{"none", TractionForm::none},
+  return {{"auto", TractionForm::automatic},
+          {"none", TractionForm::none},
           {"drag", TractionForm::drag},
           {"one-sided", TractionForm::one_sided},
-          {"gradient", TractionForm::gradient}};
+          {"gradient", TractionForm::gradient},
+          {"quadratic", TractionForm::quadratic}};
 }
 
 template <>

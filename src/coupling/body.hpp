@@ -25,6 +25,7 @@ struct BodyKind {
   std::vector<Vec3> reference;                    ///< vertices about the centroid
   SolidMoments displaced;                         ///< of the enclosed volume about the centroid; volume 0: open
   MarkerLayout layout;
+  double retraction = 0;  ///< of markers, inwards; length
   ProbeSettings probes;
   double mass = 0;        ///< of a rigid or hinged body
   RigidModel rigid;       ///< motion = "rigid"

@@ -68,7 +68,7 @@ void ImmersedBoundary::gather(Bodies& bodies, MarkerGroup which, Group& group) c
     Body& body = own[b];
     const auto& kind = bodies.kind_of(body);
     if (!belongs(kind, which)) continue;
-    kind.layout.place(body.surface.positions, body.surface.velocities, of_body);
+    kind.layout.place_inside(body.surface.positions, body.surface.velocities, kind.retraction, of_body);
     const std::size_t begin = group.markers.areas.size();
     append(group.markers.positions, of_body.positions);
     append(group.markers.velocities, of_body.velocities);

@@ -102,7 +102,8 @@ void set_path(BodyKind& kind, const CaseConfig& config) {
 }
 
 ProbeForm probe_form(TractionForm form) {
-  return form == TractionForm::gradient ? ProbeForm::gradient : ProbeForm::one_sided;
+  if (form == TractionForm::gradient) return ProbeForm::gradient;
+  return form == TractionForm::quadratic ? ProbeForm::quadratic : ProbeForm::one_sided;
 }
 
 void set_shape(BodyKind& kind, const Grid& grid) {
@@ -112,6 +113,8 @@ void set_shape(BodyKind& kind, const Grid& grid) {
   kind.reference = body.positions;
   for (Vec3& x : kind.reference) x -= kind.centroid;
   if (closed) kind.displaced.centroid -= kind.centroid;
+  const bool retracts = closed && kind.config.motion != MotionKind::deformable;
+  kind.retraction = mean_spacing(grid) * kind.config.marker_retraction.value_or(retracts ? marker_retraction : 0.0);
   kind.layout = kind.config.marker_refinement > 0
                     ? MarkerLayout(body.mesh, kind.config.marker_refinement)
                     : MarkerLayout(body.mesh, refinement_for(body.mesh, body.positions, mean_spacing(grid)));
@@ -145,6 +148,7 @@ BodyKind make_body_kind(const CaseConfig& config, std::size_t index, const Grid&
   if (kind.config.motion == MotionKind::prescribed) set_path(kind, config);
   kind.probes.form = probe_form(body.traction.form);
   kind.probes.wetting = closed ? Wetting::outside : Wetting::both_sides;
+  if (kind.retraction == 0) kind.probes.offset = forced_surface_offset * mean_spacing(grid);
   kind.probes.length = body.traction.probe_length;
   kind.probes.density = config.fluid.density;
   kind.probes.viscosity = config.fluid.viscosity;

@@ -87,14 +87,18 @@ void Hdf5File::write(const std::string& name, std::span<const std::int32_t> valu
 
 template <class Real>
 std::uint64_t Hdf5File::reserve(const std::string& name, const Shape& shape) {
-  static_assert(std::is_same_v<Real, float> || std::is_same_v<Real, double>);
-  const auto set = make_set(name, std::is_same_v<Real, float> ? H5T_NATIVE_FLOAT : H5T_NATIVE_DOUBLE, shape);
+  static_assert(std::is_same_v<Real, float> || std::is_same_v<Real, double> || std::is_same_v<Real, std::int32_t>);
+  const hid_t type = std::is_same_v<Real, float>    ? H5T_NATIVE_FLOAT
+                     : std::is_same_v<Real, double> ? H5T_NATIVE_DOUBLE
+                                                    : H5T_NATIVE_INT32;
+  const auto set = make_set(name, type, shape);
   const auto place = H5Dget_offset(set.get());
   check(place != HADDR_UNDEF, "place", fmt::format("{} in {}", name, path_.string()));
   return place;
 }
 template std::uint64_t Hdf5File::reserve<float>(const std::string&, const Shape&);
 template std::uint64_t Hdf5File::reserve<double>(const std::string&, const Shape&);
+template std::uint64_t Hdf5File::reserve<std::int32_t>(const std::string&, const Shape&);
 
 void Hdf5File::write_scalar(const std::string& name, hid_t type, const void* value) {
   Hdf5Id space(H5Screate(H5S_SCALAR), H5Sclose);

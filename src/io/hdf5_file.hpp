@@ -49,7 +49,7 @@ class Hdf5File {
   void write_attribute(const std::string& name, std::int64_t value);
   void write_attribute(const std::string& name, const std::string& value);
 
-  /// Makes a data set of `Real` (float or double) without contents, in one piece on the disk. Returns its place: the
+  /// Makes a data set of `Real` (float, double or int32) without contents, in one piece on the disk. Returns its place: the
   /// offset in bytes from the start of the file, at which anyone may write the values once the file is closed.
   template <class Real>
   std::uint64_t reserve(const std::string& name, const Shape& shape);

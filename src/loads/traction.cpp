@@ -65,6 +65,8 @@ void Traction::evaluate(const DeformableBody& body, const ShapeState& shape, Ver
       return;
     case TractionForm::drag:
       return evaluate_drag(body, shape, loads);
+    case TractionForm::automatic:
+    case TractionForm::quadratic:
     case TractionForm::one_sided:
       return evaluate_one_sided(body, shape, loads);
     case TractionForm::gradient:

@@ -4,6 +4,7 @@
 
 #include "io/atomic_file.hpp"
 #include "parallel/agree.hpp"
+#include "simulation/surface_batch.hpp"
 
 namespace pliant {
 namespace {
@@ -18,15 +19,16 @@ std::vector<double> to_row(Moment moment, const HistoryRow& row) {
                              row.bulk_velocity.x,
                              row.bulk_velocity.y,
                              row.bulk_velocity.z,
-                             row.bulk_forcing};
+                             row.bulk_forcing,
+                             static_cast<double>(row.coupling_iterations)};
   values.insert(values.end(), row.patch_flow_rates.begin(), row.patch_flow_rates.end());
   return values;
 }
 
-std::vector<std::string> history_columns(const BoundaryConfig& boundary) {
+std::vector<std::string> history_columns(const CaseConfig& config) {
   std::vector<std::string> columns{"step",   "time",   "dt",     "cfl",    "divergence", "kinetic_energy",
-                                   "bulk_u", "bulk_v", "bulk_w", "bulk_forcing"};
-  for (const auto& side : boundary)
+                                   "bulk_u", "bulk_v", "bulk_w", "bulk_forcing", "coupling_iterations"};
+  for (const auto& side : config.boundary)
     if (const auto* patches = patches_of(side))
       for (const auto& patch : *patches) columns.push_back("flow_" + patch.name);
   return columns;
@@ -42,16 +44,19 @@ Outputs::Outputs(const std::filesystem::path& folder, const CaseConfig& config, 
       fields_due_(config.output.fields),
       surfaces_due_(config.output.surfaces),
       fields_(folder, grid) {
-  for (const auto& body : bodies.all()) {
-    const auto faces = body.mesh.vertices_of_face();
-    surfaces_.emplace_back(folder, body.name, std::vector<Face>(faces.begin(), faces.end()), ranks_);
+  for (const auto& kind : bodies.kinds()) {
+    const auto& mesh = kind.prototype.mesh;
+    const auto faces = mesh.vertices_of_face();
+    surfaces_.emplace_back(folder, kind.config.name, std::vector<Face>(faces.begin(), faces.end()), mesh.n_vertices(),
+                           ranks_);
   }
   do_on_root(ranks_, [&] {
-    history_table_ = make_table("history.csv", history_columns(config.boundary), resumed);
-    if (bodies.size() > 0) std::filesystem::create_directories(folder / "bodies");
-    for (std::size_t b = 0; b < bodies.size(); ++b)
-      body_tables_.push_back(make_table("bodies/" + bodies.all()[b].name + ".csv", bodies.columns(b), resumed));
+    history_table_ = make_table("history.csv", history_columns(config), resumed);
+    if (bodies.count() > 0) std::filesystem::create_directories(folder / "bodies");
     if (resumed != nullptr) resume(*resumed);
+  });
+  body_tables_.emplace(bodies, ranks_, [&](const std::string& file, std::vector<std::string> columns) {
+    return make_table(file, std::move(columns), resumed);
   });
   if (resumed == nullptr) return;
   last_history_ = resumed->last_history;
@@ -78,7 +83,7 @@ void Outputs::resume(const OutputsState& state) {
 OutputsState Outputs::state() const {
   OutputsState state;
   if (history_table_) state.tables["history.csv"] = history_table_->size();
-  for (const auto& table : body_tables_) state.tables["bodies/" + table->path().filename().string()] = table->size();
+  for (const auto& table : body_tables_->tables()) state.tables["bodies/" + table->path().filename().string()] = table->size();
   const auto add_series = [&](const XdmfSeries& series) {
     state.series[series.path().filename().string()] = series.size();
   };
@@ -104,10 +109,8 @@ double Outputs::next_time(double time) const {
 void Outputs::write_history(Moment moment, const HistoryRow& row, const Bodies& bodies) {
   if (moment.step == last_history_) return;
   last_history_ = moment.step;
-  do_on_root(ranks_, [&] {
-    history_table_->write_row(to_row(moment, row));
-    for (std::size_t b = 0; b < bodies.size(); ++b) body_tables_[b]->write_row(bodies.row(b, moment));
-  });
+  do_on_root(ranks_, [&] { history_table_->write_row(to_row(moment, row)); });
+  body_tables_->write(moment, bodies);
 }
 
 bool Outputs::write_snapshots(Moment moment, const FlowSolver& flow, const Bodies& bodies, Urgency urgency) {
@@ -115,7 +118,7 @@ bool Outputs::write_snapshots(Moment moment, const FlowSolver& flow, const Bodie
     return urgency == Urgency::last ? schedule.is_wanted() : schedule.is_due(moment.step, moment.time);
   };
   const bool fields = is_due(fields_due_) && last_fields_ != moment.step;
-  const bool surfaces = is_due(surfaces_due_) && last_surfaces_ != moment.step && bodies.size() > 0;
+  const bool surfaces = is_due(surfaces_due_) && last_surfaces_ != moment.step && bodies.count() > 0;
   if (fields) write_fields(moment, flow);
   if (surfaces) write_surfaces(moment, bodies);
   return fields || surfaces;
@@ -132,7 +135,7 @@ void Outputs::write_fields(Moment moment, const FlowSolver& flow) {
 }
 
 void Outputs::write_surfaces(Moment moment, const Bodies& bodies) {
-  for (std::size_t b = 0; b < bodies.size(); ++b) surfaces_[b].write(bodies.snapshot(b), moment);
+  for (std::size_t k = 0; k < surfaces_.size(); ++k) surfaces_[k].write(surface_batch(bodies, k), moment);
   last_surfaces_ = moment.step;
 }
 

@@ -7,7 +7,7 @@
 #include "io/csv_writer.hpp"
 #include "io/field_writer.hpp"
 #include "io/surface_writer.hpp"
-#include "simulation/bodies.hpp"
+#include "simulation/body_tables.hpp"
 #include "simulation/outputs_state.hpp"
 #include "simulation/schedule.hpp"
 
@@ -18,6 +18,7 @@ struct HistoryRow {
   double dt = 0, cfl = 0, divergence = 0, kinetic_energy = 0;
   Vec3 bulk_velocity;
   double bulk_forcing = 0;
+  int coupling_iterations = 0;  ///< of strong coupling in the last step
   std::vector<double> patch_flow_rates;  ///< one column each, in the order of the case
 };
 
@@ -64,7 +65,7 @@ class Outputs {
   FieldWriter fields_;
   std::vector<SurfaceWriter> surfaces_;
   std::unique_ptr<CsvWriter> history_table_;             // on the root
-  std::vector<std::unique_ptr<CsvWriter>> body_tables_;  // on the root
+  std::optional<BodyTables> body_tables_;
   long last_history_ = -1, last_fields_ = -1, last_surfaces_ = -1;
 };
 

@@ -31,6 +31,15 @@ PotentialSet make_potentials(const PotentialsConfig& config, const TriangleMesh&
   return set;
 }
 
+TractionConfig resolve(const TractionConfig& given, MotionKind motion, double mean_spacing) {
+  TractionConfig traction = given;
+  if (traction.form == TractionForm::automatic)
+    traction.form = motion == MotionKind::deformable ? TractionForm::one_sided : TractionForm::quadratic;
+  if (traction.probe_length <= 0)
+    traction.probe_length = (traction.form == TractionForm::quadratic ? 1.5 : 1.0) * mean_spacing;
+  return traction;
+}
+
 DeformableBody make_body(const BodyConfig& config, const BodySetting& setting) {
   if (!(config.mass_per_vertex > 0))
     throw InputError(
@@ -48,8 +57,7 @@ DeformableBody make_body(const BodyConfig& config, const BodySetting& setting) {
   body.forces.resize(n);
   body.masses.assign(n, config.mass_per_vertex);
   body.damping = config.damping;
-  body.traction = config.traction;
-  if (body.traction.probe_length <= 0) body.traction.probe_length = setting.mean_spacing;
+  body.traction = resolve(config.traction, config.motion, setting.mean_spacing);
   body.substeps = config.substeps;
   body.reference = surface.positions;
   body.positions = std::move(surface.positions);

@@ -17,6 +17,9 @@ struct BodySetting {
 /// Finds the largest frequency of its internal forces. Throws InputError.
 DeformableBody make_body(const BodyConfig& config, const BodySetting& setting);
 
+/// The traction with what the case leaves open filled in: form and probe length.
+TractionConfig resolve(const TractionConfig& given, MotionKind motion, double mean_spacing);
+
 /// Potentials of the configuration about a reference shape.
 PotentialSet make_potentials(const PotentialsConfig& config, const TriangleMesh& mesh, std::span<const Vec3> reference);
 

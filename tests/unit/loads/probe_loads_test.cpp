@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "linear_flow.hpp"
-#include "loads/rigid_load.hpp"
+#include "structure/rigid_load.hpp"
 #include "mesh/geometry.hpp"
 #include "mesh/shapes/icosphere.hpp"
 
