@@ -43,10 +43,13 @@ class OverlapSearch {
   std::vector<std::string> run() {
     for (std::size_t b = 0; b < bodies_.size(); ++b) check_self(b);
     bool counted_all = true;
+    std::optional<Placed> first;  // pairs are sorted: it serves all partners of one copy
+    std::size_t first_copy = copies_.size();
     for (const auto& [a, b] : close_pairs()) {
       counted_all = count_ < limit_ + most_counted;
       if (!counted_all) break;
-      check_pair(a, b);
+      if (a != std::exchange(first_copy, a)) first.emplace(placed(a));
+      check_pair(a, b, *first);
     }
     if (count_ > limit_)
       problems_.push_back(
@@ -132,8 +135,7 @@ class OverlapSearch {
                            text_of(*at / std::get<FileSurface>(config_.bodies[b].surface).scale)));
   }
 
-  void check_pair(std::size_t a, std::size_t b) {
-    const Placed first = placed(a);
+  void check_pair(std::size_t a, std::size_t b, const Placed& first) {
     Placed second = placed(b);
     const Vec3 to = copies_[b].sphere.center - copies_[a].sphere.center;
     Vec3 nearest;
