@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <map>
 #include <memory>
 
 #include "app/command.hpp"
@@ -20,7 +19,7 @@ struct MeshArguments {
   int frequency = 8;
   double radius = 1.0, height = 1.0, edge = 0.1;
   std::vector<double> semi_axes{1, 1, 1}, plate{1, 1}, box{1, 1, 1};
-  Ends ends = Ends::capped;
+  std::string ends = "capped";
   std::string input, output;
 };
 
@@ -85,15 +84,16 @@ void add_shapes(CLI::App& mesh, Action& action, const Arguments& arguments) {
                          [](const auto& a) { return make_disc(a.radius, a.edge); });
   auto* half = add_shape(mesh, action, arguments, "half-disc", "The half of a disc at x >= 0, open",
                          [](const auto& a) { return make_half_disc(a.radius, a.edge); });
-  auto* cylinder = add_shape(mesh, action, arguments, "cylinder", "A cylinder along z, closed by caps or an open tube",
-                             [](const auto& a) { return make_cylinder(a.radius, a.height, a.edge, a.ends); });
+  auto* cylinder = add_shape(
+      mesh, action, arguments, "cylinder", "A cylinder along z, closed by caps or an open tube", [](const auto& a) {
+        return make_cylinder(a.radius, a.height, a.edge, a.ends == "open" ? Ends::open : Ends::capped);
+      });
   for (auto* shape : {disc, half, cylinder}) {
     add_radius(*shape, arguments);
     add_edge(*shape, arguments);
   }
   cylinder->add_option("--height", arguments->height, "Along z")->capture_default_str();
-  const std::map<std::string, Ends> words{{"capped", Ends::capped}, {"open", Ends::open}};
-  cylinder->add_option("--ends", arguments->ends, "capped or open")->transform(CLI::CheckedTransformer(words));
+  cylinder->add_option("--ends", arguments->ends, "How it is closed")->check(CLI::IsMember({"capped", "open"}));
 
   auto* box = add_shape(mesh, action, arguments, "box", "A box with its edges along x, y and z", [](const auto& a) {
     return make_box({a.box[0], a.box[1], a.box[2]}, a.edge);

@@ -19,7 +19,7 @@ std::string known_shapes() {
 
 /// For a member that only some surfaces have, a function from a body to the member, or to null.
 template <class Value, class Get>
-auto where_present(Get get) {
+constexpr auto where_present(Get get) {
   return [get](auto& body) {
     using Member = std::conditional_t<std::is_const_v<std::remove_reference_t<decltype(body)>>, const Value, Value>;
     return std::visit(
@@ -40,13 +40,13 @@ BodyKey surface_key(KeyText text, const std::string& which, Access access, Value
                                [access](const BodyConfig& body) { return access(body) != nullptr; });
 }
 
-const auto frequency_of = where_present<int>([](auto& s) -> decltype(&s.frequency) { return &s.frequency; });
-const auto radius_of = where_present<double>([](auto& s) -> decltype(&s.radius) { return &s.radius; });
-const auto edge_of = where_present<double>([](auto& s) -> decltype(&s.edge) { return &s.edge; });
-const auto height_of = where_present<double>([](auto& s) -> decltype(&s.height) { return &s.height; });
-const auto ends_of = where_present<CylinderEnds>([](auto& s) -> decltype(&s.ends) { return &s.ends; });
-const auto axes_of = where_present<Vec3>([](auto& s) -> decltype(&s.semi_axes) { return &s.semi_axes; });
-const auto scale_of = where_present<double>([](auto& s) -> decltype(&s.scale) { return &s.scale; });
+constexpr auto frequency_of = where_present<int>([](auto& s) -> decltype(&s.frequency) { return &s.frequency; });
+constexpr auto radius_of = where_present<double>([](auto& s) -> decltype(&s.radius) { return &s.radius; });
+constexpr auto edge_of = where_present<double>([](auto& s) -> decltype(&s.edge) { return &s.edge; });
+constexpr auto height_of = where_present<double>([](auto& s) -> decltype(&s.height) { return &s.height; });
+constexpr auto ends_of = where_present<CylinderEnds>([](auto& s) -> decltype(&s.ends) { return &s.ends; });
+constexpr auto axes_of = where_present<Vec3>([](auto& s) -> decltype(&s.semi_axes) { return &s.semi_axes; });
+constexpr auto scale_of = where_present<double>([](auto& s) -> decltype(&s.scale) { return &s.scale; });
 
 constexpr auto round_shapes = "\"sphere\", \"disc\", \"half-disc\" or \"cylinder\"";
 

@@ -13,8 +13,8 @@ struct SurfaceView {
   std::span<const Vec3> positions;
 };
 
-/// A point where an edge of one surface crosses a face of the other by more than `depth` on both sides; none if no edge
-/// does. Surfaces that only touch do not cross.
+/// A point where an edge of one surface passes through a face of the other, its borders included, and reaches further
+/// than `depth` on both sides; none if no edge does.
 std::optional<Vec3> find_crossing(const SurfaceView& a, const SurfaceView& b, double depth);
 
 /// A point where an edge of a surface crosses one of its own faces that it shares no vertex with.

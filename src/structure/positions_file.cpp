@@ -63,7 +63,7 @@ class PositionsReader {
     }
     if (input.bad()) complain("the file cannot be read to its end");
     if (placements_.empty() && n_problems_ == 0)
-      complain(fmt::format("there is no position in it; give lines of {}", expected));
+      throw InputError(fmt::format("{}: there is no position in it; give lines of {}", path_.string(), expected));
     if (n_problems_ > most_problems)
       problems_.push_back(fmt::format("{}: and {} more problems", path_.string(), n_problems_ - most_problems));
     if (n_problems_ > 0) throw InputError(std::move(problems_));

@@ -93,12 +93,69 @@ bad_case("surface file outside the box", CASE + BODY + "", [r"body\.drop .* outs
 bad_case("more ranks than planes", CASE.replace("cells = [8, 8, 8]", "cells = [8, 8, 2]"),
          [r"case\.toml:5: box\.cells has 2 planes.* 3 ranks"], command="run", ranks=3)
 
+# Shapes, places and copies
+SPHERE = BODY.replace('file = "drop.gts"', 'shape = "sphere", radius = 0.5')
+
+
+def bad_body(name, text, patterns, command="check", ranks=1, places=None):
+    """A case with one body `drop`, whose keys `text` follow a sphere of radius 0.5."""
+    def test(folder):
+        write(folder, "case.toml", CASE + SPHERE.replace("[body.potentials]", text + "\n[body.potentials]"))
+        if places is not None:
+            write(folder, "places.csv", places)
+        out = os.path.join(folder, "out")
+        harness.refuses([command, folder] + (["--out", out] if command == "run" else []), patterns, ranks=ranks)
+        expect(not os.path.exists(out), "an output folder was made for a case that is wrong")
+    harness.check(name, test)
+
+
+bad_case("unknown shape", CASE + SPHERE.replace("sphere", "cube"), [r'surface\.shape .*"cube"; known: "sphere".*"box"'])
+bad_case("size of another shape", CASE + SPHERE.replace("radius = 0.5", "radius = 0.5, height = 2"),
+         [r'surface\.height has no effect.*"cylinder"'])
+bad_case("plate with three sizes", CASE + SPHERE.replace('"sphere", radius = 0.5', '"plate", size = [1, 1, 1]'),
+         [r"surface\.size must be an array of 2 numbers"])
+bad_case("too many faces", CASE + SPHERE.replace('"sphere", radius = 0.5', '"disc", radius = 0.5, edge = 1e-5'),
+         [r"body\.drop\.surface: disc: edge = 1e-05 makes about .* faces"])
+bad_case("volume of an open surface",
+         CASE + SPHERE.replace('"sphere", radius = 0.5', '"disc"') + "volume = { stiffness = 1 }\n",
+         [r"body\.drop\.potentials\.volume .*open"])
+bad_body("axis of length 0", "rotation = { axis = [0, 0, 0], angle = 3 }", [r"rotation\.axis must not be 0"])
+bad_case("turned out of the box",
+         CASE + SPHERE.replace('"sphere", radius = 0.5', '"ellipsoid", semi_axes = [2.5, 0.5, 0.5]').replace(
+             "[body.potentials]", "rotation = { axis = [0, 1, 0], angle = 60 }\n[body.potentials]"),
+         [r"body\.drop reaches .* along z, outside the box"])
+bad_body("count and positions", 'count = 3\npositions = "places.csv"', [r"count .*exclude each other"], places="0,0,0\n")
+bad_body("center of copies", "count = 3\ncenter = [1, 1, 1]", [r"center has no effect.*neither count nor positions"])
+bad_body("gap of a single body", "gap = 0.1", [r"gap has no effect.*count is given"])
+bad_body("count of 0", "count = 0", [r"count must be >= 1"])
+bad_body("region upside down", "count = 1\nregion = { lower = [0, 0, 0], upper = [1, -1, 1] }", [r"region reaches from 0 to -1 along y"])
+bad_body("copies that do not fit", "count = 200", [r"count = 200, but after \d+ copies .* fewer copies"], command="run")
+bad_body("copies that do not fit, 2 ranks", "count = 200", [r"count = 200, but after"], command="run", ranks=2)
+bad_body("missing positions", 'positions = "none.csv"', [r"none\.csv: .*cannot be read"])
+bad_body("broken positions", 'positions = "places.csv"', [r"places\.csv:2: .*\"one\"", r"places\.csv:3: .*2 values"],
+         places="x,y,z\n0,one,0\n0,1\n")
+bad_body("empty positions", 'positions = "places.csv"', [r"places\.csv.*there is no position"], places="")
+bad_body("copy outside the box", 'positions = "places.csv"', [r"body\.drop, copy drop-0002, reaches .*outside the box"],
+         places="0,0,0\n0,1,1.8\n")
+bad_body("copies that overlap", 'positions = "places.csv"',
+         [r"case\.toml:\d+: body\.drop-0001 and .*body\.drop-0003 overlap at the start.*file of positions"],
+         places="-1.7,0,0\n0,0,0\n1.7,0,0\n", command="run")
+bad_case("bodies that overlap", CASE + SPHERE + SPHERE.replace('"drop"', '"other"').replace(
+    "[body.potentials]", "center = [0, 0.8, 0]\n[body.potentials]"),
+         [r"case\.toml:\d+: body\.drop and .*case\.toml:\d+: body\.other overlap"], command="run", ranks=2)
+bad_case("body in a body", CASE + SPHERE + SPHERE.replace('"drop"', '"other"').replace("0.5", "1.2"),
+         [r"body\.drop lies inside .*body\.other"])
+bad_command("mesh of a bad shape", ["mesh", "plate", "--size", "-1", "2", "-o", "/tmp/never.gts"], [r"size a = -1"])
+bad_command("mesh with unknown ends", ["mesh", "cylinder", "--ends", "shut", "-o", "/tmp/never.gts"], ["capped"])
+
 # Surfaces
+bad_surface("surface in two pieces", surfaces.two_pieces(), [r"drop\.gts: .* 2 closed pieces"])
+bad_surface("surface that crosses itself", surfaces.crossing_itself(), [r"body\.drop has a surface that crosses itself"])
 bad_surface("missing surface", None, [r"drop\.gts"])
 bad_surface("index out of range", surfaces.index_out_of_range(), [r"drop\.gts:27\b.*99"])
 bad_surface("degenerate face", surfaces.degenerate_face(), [r"drop\.gts:27\b"])
 bad_surface("face without area", surfaces.face_without_area(), [r"drop\.gts:\d+"])
-bad_surface("hole", surfaces.hole(), [r"drop\.gts:\d+"], command="run")
+bad_surface("hole", surfaces.hole(), [r"drop\.gts:\d+.*surface\.open = true"], command="run")
 bad_surface("flipped face", surfaces.flipped_face(), [r"drop\.gts:\d+"])
 bad_surface("inside out", surfaces.inside_out(), [r"drop\.gts"])
 bad_surface("non-manifold edge", surfaces.non_manifold_edge(), [r"drop\.gts:\d+"])

@@ -79,3 +79,19 @@ def not_a_number():
     lines = sound().splitlines()
     lines[2] = "0 zero 0"
     return "\n".join(lines) + "\n"
+
+
+def two_pieces():
+    vertices, faces = octahedron(0.3)
+    moved = [(x + 1, y, z) for x, y, z in vertices]
+    n = len(vertices)
+    return gts(vertices + moved, faces + [(a + n, b + n, c + n) for a, b, c in faces])
+
+
+def crossing_itself():
+    """A face is drawn out into a spike that goes through the body and leaves it on the other side."""
+    vertices, faces = octahedron()
+    a, b, c = faces[0]
+    tip = len(vertices)
+    vertices = vertices + [(-0.9, -0.9, -0.8)]
+    return gts(vertices, faces[1:] + [(a, b, tip), (b, c, tip), (c, a, tip)])
