@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -38,11 +39,16 @@ std::size_t find_body(const CaseConfig& config, const std::string& name) {
       fmt::format("{}: has {} deformable bodies; choose one with --body", config.file.string(), found.size()));
 }
 
-ShapeSample sample(const Simulation& simulation, std::size_t body) {
-  const auto& drop = simulation.bodies().all()[body];
-  const auto shape = fit_ellipsoid(drop.mesh, drop.positions);
-  return {simulation.time(), shape.length / drop.radius, shape.breadth / drop.radius, shape.width / drop.radius,
-          shape.angle};
+/// The drop's shape now, the same on all ranks: the one that holds it tells it to the others.
+ShapeSample sample(const Simulation& simulation, long id) {
+  std::array<double, 4> numbers{};
+  if (const Body* drop = simulation.bodies().find(id)) {
+    const auto shape = fit_ellipsoid(drop->surface.mesh, drop->surface.positions);
+    const double radius = drop->surface.radius;
+    numbers = {shape.length / radius, shape.breadth / radius, shape.width / radius, shape.angle};
+  }
+  simulation.bodies().grid().ranks().sum(numbers);
+  return {simulation.time(), numbers[0], numbers[1], numbers[2], numbers[3]};
 }
 
 void print_text(const ShearCalibration& c) {
@@ -89,10 +95,11 @@ int calibrate(const CalibrateArguments& arguments, const Communicator& ranks) {
   if (arguments.style == ReportStyle::json) options.progress = ProgressStyle::silent;
   Simulation simulation(config, ranks, options);
   std::vector<ShapeSample> samples;
-  const auto end = simulation.run([&](const Simulation& now) { samples.push_back(sample(now, body)); });
+  const long id = simulation.bodies().first_id(body);
+  const auto end = simulation.run([&](const Simulation& now) { samples.push_back(sample(now, id)); });
   if (end.end == RunEnd::signal) return end.exit_code();
   const double begin = arguments.average_from.value_or(0.5 * end.time);
-  auto result = calibrate_shear(samples, begin, config.fluid.viscosity, rate, simulation.bodies().all()[body].radius);
+  auto result = calibrate_shear(samples, begin, config.fluid.viscosity, rate, simulation.bodies().kinds()[body].prototype.radius);
   result.body = config.bodies[body].name;
   if (ranks.is_root()) arguments.style == ReportStyle::json ? print_json(result) : print_text(result);
   return exit_success;

@@ -12,11 +12,13 @@
 #include "app/memory_estimate.hpp"
 #include "config/print_case.hpp"
 #include "core/error.hpp"
+#include "coupling/describe_kind.hpp"
+#include "coupling/make_body_kind.hpp"
 #include "coupling/one_way.hpp"
 #include "flow/flow_solver.hpp"
 #include "signals/make_signal.hpp"
 #include "simulation/time_step.hpp"
-#include "structure/make_body.hpp"
+#include "structure/place_bodies.hpp"
 #include "structure/stable_time_step.hpp"
 
 namespace pliant {
@@ -54,24 +56,32 @@ double initial_rate(const InitialConfig& initial, const Grid& grid) {
 
 std::string number(double value) { return std::isfinite(value) ? fmt::format("{:.6g}", value) : "none"; }
 
-std::vector<DeformableBody> make_bodies(const CaseConfig& config, const Grid& grid) {
-  const double mean_dz = grid.size().z / grid.cells()[2];
-  std::vector<DeformableBody> bodies;
-  for (const auto& body : config.bodies)
-    bodies.push_back(make_body(body, {config.folder, (grid.dx() + grid.dy() + mean_dz) / 3}));
+struct CheckedBodies {
+  std::vector<BodyKind> kinds;
+  std::vector<long> copies;
+};
+
+CheckedBodies make_bodies(const CaseConfig& config, const Grid& grid) {
+  CheckedBodies bodies;
+  for (const auto& placed : place_bodies(config)) {
+    bodies.kinds.push_back(make_body_kind(config, bodies.kinds.size(), grid));
+    bodies.copies.push_back(static_cast<long>(placed.placements.size()));
+  }
   return bodies;
 }
 
-void print_memory(const CaseConfig& config, std::span<const DeformableBody> bodies, int ranks) {
+void print_memory(const CaseConfig& config, const CheckedBodies& bodies, int ranks) {
   const auto memory = estimate_memory(config, ranks);
   double body_bytes = 0;
-  for (const auto& body : bodies) body_bytes += estimate_body_bytes(body.mesh.n_vertices());
+  for (std::size_t k = 0; k < bodies.kinds.size(); ++k)
+    body_bytes += std::ceil(static_cast<double>(bodies.copies[k]) / ranks) *
+                  estimate_body_bytes(bodies.kinds[k].prototype.mesh.n_vertices());
   fmt::print(
       "# memory of a rank: {:.4g} MB for the flow ({:.1f} doubles a cell; {} of {} planes on the fullest of {} "
       "rank{})",
       memory.flow_bytes / 1e6, memory.doubles_per_cell, memory.planes, config.box.cells[2], ranks,
       ranks == 1 ? "" : "s");
-  if (!bodies.empty()) fmt::print(", about {:.2g} MB for the bodies", body_bytes / 1e6);
+  if (!bodies.kinds.empty()) fmt::print(", about {:.2g} MB for the bodies", body_bytes / 1e6);
   fmt::print("\n");
 }
 
@@ -85,7 +95,6 @@ std::vector<double> drag_of(const DeformableBody& body, double viscosity) {
 }
 
 void print_springs(const CaseConfig& config, const DeformableBody& body, double step) {
-  if (body.motion == MotionKind::fixed) return;
   const double limit = stable_time_step(body, drag_of(body, config.fluid.viscosity));
   const double needed = std::max(1.0, std::ceil(step / (substep_safety * limit)));
   fmt::print("#   springs    {} for body {} of {} vertices and {} faces: {} substeps in a step of the fluid{}\n",
@@ -94,7 +103,7 @@ void print_springs(const CaseConfig& config, const DeformableBody& body, double 
              body.substeps && *body.substeps < needed ? " (as given; stability asks for more)" : "");
 }
 
-void print_steps(const CaseConfig& config, const Grid& grid, std::span<const DeformableBody> bodies) {
+void print_steps(const CaseConfig& config, const Grid& grid, const CheckedBodies& bodies) {
   const double viscous = viscous_step_limit(grid, config.fluid.viscosity / config.fluid.density, config.time.viscous);
   auto adaptive = config;
   adaptive.time.step.reset();
@@ -107,7 +116,8 @@ void print_steps(const CaseConfig& config, const Grid& grid, std::span<const Def
   fmt::print("#   convective {} (Courant number {:.4g})\n", number(limits.convective), config.time.cfl);
   fmt::print("#   viscous    {}\n", number(limits.viscous));
   fmt::print("#   decay      {} (a tenth of the longest wave's viscous time)\n", number(limits.decay));
-  for (const auto& body : bodies) print_springs(config, body, step);
+  for (const auto& kind : bodies.kinds)
+    if (!kind.has_pose()) print_springs(config, kind.prototype, step);
   fmt::print("# the fluid's step: {}, ruled by {}\n", number(step), ruling.ruling());
 }
 
@@ -120,6 +130,8 @@ int check(const CheckArguments& arguments, const Communicator& communicator) {
   fmt::print("{}\n# --- The case is sound.\n", to_toml(config));
   print_memory(config, bodies, ranks);
   print_steps(config, grid, bodies);
+  for (std::size_t k = 0; k < bodies.kinds.size(); ++k)
+    fmt::print("# {}\n", describe(bodies.kinds[k], bodies.copies[k]));
   return exit_success;
 }
 }  // namespace

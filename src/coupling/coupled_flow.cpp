@@ -1,5 +1,6 @@
 #include "coupling/coupled_flow.hpp"
 
+#include "coupling/one_way.hpp"
 #include "coupling/surface_stress.hpp"
 
 namespace pliant {
@@ -12,33 +13,42 @@ SampledFields fields_of(const FlowSolver& flow) {
 
 }  // namespace
 
-CoupledFlow::CoupledFlow(const CaseConfig& config, FlowSolver& flow, Bodies& bodies)
+CoupledFlow::CoupledFlow(const CaseConfig& config, FlowSolver& flow, Bodies& bodies, RunStart start)
     : config_(config),
       flow_(flow),
       bodies_(bodies),
-      boundary_(flow.grid(), config),
       contact_(flow.grid(), config),
       sampler_(flow.grid(), fields_of(flow), config.fluid.density) {
   for (const auto& kind : bodies.kinds()) {
     is_two_way_ |= kind.acts_on_flow();
-    has_free_ |= kind.is_free() && kind.acts_on_flow();
     has_strong_ |= kind.coupling == CouplingKind::strong;
     has_probe_driven_ |= kind.is_free() && kind.config.loads == LoadSource::probes;
+    has_deformable_ |= !kind.has_pose();
   }
-  place_all();
-  if (is_two_way_) boundary_.adopt_inner_motion(bodies_, flow_.state());
+  if (!is_two_way_) return;
+  boundary_.emplace(flow.grid(), config);
+  boundary_->place(bodies_, MarkerGroup::fixed);
+  boundary_->place(bodies_, MarkerGroup::moving);
+  if (start == RunStart::anew) boundary_->adopt_inner_motion(bodies_, flow_.state());
 }
 
-void CoupledFlow::place_all() {
+void CoupledFlow::place_markers() {
   if (!is_two_way_) return;
-  boundary_.place(bodies_, MarkerGroup::fixed);
-  boundary_.place(bodies_, MarkerGroup::moving);
+  const auto scope = timer_.measure("bodies: markers");
+  boundary_->place(bodies_, MarkerGroup::moving);
 }
 
 void CoupledFlow::advance_fluid(double step) {
   last_step_ = step;
-  if (is_two_way_) flow_.advance(step, boundary_.hook());
-  else flow_.advance(step);
+  const auto scope = timer_.measure("fluid");
+  if (!is_two_way_) {
+    flow_.advance(step);
+    return;
+  }
+  flow_.advance(step, [this](const Substep& substep, double dt, View<FaceX> u, View<FaceY> v, View<FaceZ> w) {
+    const auto forcing = timer_.measure("bodies: forcing, within fluid");
+    boundary_->apply(substep, dt, u, v, w);
+  });
 }
 
 Vec3 CoupledFlow::driving() const {
@@ -48,7 +58,9 @@ Vec3 CoupledFlow::driving() const {
 }
 
 void CoupledFlow::find_loads(double step) {
-  boundary_.find_reactions(bodies_, MarkerGroup::moving, step, driving());
+  if (!is_two_way_) return;
+  const auto scope = timer_.measure("bodies: loads");
+  boundary_->find_reactions(bodies_, MarkerGroup::moving, step, driving());
   if (has_probe_driven_) find_stresses(bodies_, sampler_, flow_.grid(), driving(), StressOf::driven);
   if (contact_.is_wanted()) contact_.find(bodies_);
 }
@@ -61,10 +73,16 @@ void CoupledFlow::accept() {
   for (Body& body : bodies_.own()) body.told_before = body.told;
 }
 
+void CoupledFlow::advance_one_way_bodies(double step) {
+  if (!has_deformable_) return;
+  const auto scope = timer_.measure("bodies: motion");
+  advance_one_way(bodies_, sampler_, config_.fluid, step);
+}
+
 void CoupledFlow::diagnose() {
   if (!is_two_way_) return;
-  if (last_step_ > 0) boundary_.find_reactions(bodies_, MarkerGroup::fixed, last_step_, driving());
-  boundary_.measure_slip(bodies_, flow_.state());
+  if (last_step_ > 0) boundary_->find_reactions(bodies_, MarkerGroup::fixed, last_step_, driving());
+  boundary_->measure_slip(bodies_, flow_.state());
   find_stresses(bodies_, sampler_, flow_.grid(), driving(), StressOf::all);
 }
 

@@ -1,4 +1,6 @@
 #pragma once
+#include <optional>
+
 #include "coupling/advance_body.hpp"
 #include "coupling/contact.hpp"
 #include "coupling/immersed_boundary.hpp"
@@ -7,12 +9,17 @@
 
 namespace pliant {
 
+enum class RunStart {
+  anew,      ///< the fluid inside bodies takes part in the initial flow
+  continued  ///< bodies know what the flow was told before
+};
+
 /// A fluid and the bodies in it: what every coupling scheme works on.
 class CoupledFlow {
  public:
   /// Collective. Places the bodies in the flow as it is, which must have its initial state. `flow` and `bodies` must
   /// outlive it.
-  CoupledFlow(const CaseConfig& config, FlowSolver& flow, Bodies& bodies);
+  CoupledFlow(const CaseConfig& config, FlowSolver& flow, Bodies& bodies, RunStart start);
 
   FlowSolver& flow() { return flow_; }
   Bodies& bodies() { return bodies_; }
@@ -21,7 +28,7 @@ class CoupledFlow {
   const FlowSampler& sampler() const { return sampler_; }
 
   /// Tells the flow where the bodies that move are now, and how fast. Collective.
-  void place_markers() { boundary_.place(bodies_, MarkerGroup::moving); }
+  void place_markers();
   /// Moves the fluid through a step; it follows the markers. Collective.
   void advance_fluid(double step);
   /// Sets the loads of all bodies from the flow after that step: the reaction of the forcing, stresses where they move
@@ -35,13 +42,15 @@ class CoupledFlow {
   /// Slip, stresses and all loads, of bodies at rest too, for tables and files. Collective.
   void diagnose();
 
-  /// Places the markers of all bodies anew: after a restart. Collective.
-  void place_all();
+  /// Moves deformable bodies, which feel the flow and which it does not feel. Collective. Throws CollectiveError.
+  void advance_one_way_bodies(double step);
+
+  /// Time by phase, the flow's own phases left out.
+  const PhaseTimer& timer() const { return timer_; }
 
   /// True if a body moves by strong coupling, and if any acts on the flow; the same on all ranks.
   bool has_strong() const { return has_strong_; }
   bool is_two_way() const { return is_two_way_; }
-  bool has_free() const { return has_free_; }
 
  private:
   Vec3 driving() const;
@@ -49,10 +58,11 @@ class CoupledFlow {
   CaseConfig config_;
   FlowSolver& flow_;
   Bodies& bodies_;
-  ImmersedBoundary boundary_;
+  std::optional<ImmersedBoundary> boundary_;  // if a body acts on the flow
   Contact contact_;
   MlsSampler sampler_;
-  bool has_strong_ = false, is_two_way_ = false, has_free_ = false, has_probe_driven_ = false;
+  bool has_strong_ = false, is_two_way_ = false, has_probe_driven_ = false, has_deformable_ = false;
+  PhaseTimer timer_;
   double last_step_ = 0;
 };
 

@@ -105,12 +105,6 @@ void ImmersedBoundary::place(Bodies& bodies, MarkerGroup which) {
   forcing_.place(group.router.held(), areas, velocities, which);
 }
 
-PredictedFlowHook ImmersedBoundary::hook() {
-  return [this](const Substep& substep, double dt, View<FaceX> u, View<FaceY> v, View<FaceZ> w) {
-    forcing_.apply(substep, dt, u, v, w);
-  };
-}
-
 void ImmersedBoundary::find_reactions(Bodies& bodies, MarkerGroup which, double step, Vec3 driving) {
   auto& group = group_of(which);
   std::vector<Vec3> held(group.router.held().size()), forces(group.markers.areas.size());

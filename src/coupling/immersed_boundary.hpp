@@ -22,8 +22,10 @@ class ImmersedBoundary {
   /// before: the start of a run. Collective.
   void adopt_inner_motion(Bodies& bodies, const FlowState& flow);
 
-  /// For FlowSolver::advance.
-  PredictedFlowHook hook();
+  /// The forcing of one substep, to be called as FlowSolver's hook.
+  void apply(const Substep& substep, double dt, View<FaceX> u, View<FaceY> v, View<FaceZ> w) {
+    forcing_.apply(substep, dt, u, v, w);
+  }
 
   /// Sets loads.reaction and loads.balance of the group's bodies from the forcing of the last step. `driving`: the
   /// uniform acceleration that acted on the fluid. Collective.

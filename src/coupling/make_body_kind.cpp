@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <numbers>
 
 #include "config/validate.hpp"
@@ -11,6 +12,7 @@
 #include "signals/make_signal.hpp"
 #include "structure/make_body.hpp"
 #include "structure/placement.hpp"
+#include "transfer/direct_forcing.hpp"
 
 namespace pliant {
 namespace {
@@ -18,6 +20,8 @@ namespace {
 constexpr double radian = std::numbers::pi / 180;
 
 double mean_spacing(const Grid& grid) { return (grid.dx() + grid.dy() + grid.size().z / grid.cells()[2]) / 3; }
+
+double smallest_spacing(const Grid& grid) { return std::min({grid.dx(), grid.dy(), grid.smallest_dz()}); }
 
 std::string place_of(const CaseConfig& config, const BodyKind& kind) {
   return place_of(config, "body." + kind.config.name);
@@ -117,7 +121,20 @@ void set_shape(BodyKind& kind, const Grid& grid) {
   kind.retraction = mean_spacing(grid) * kind.config.marker_retraction.value_or(retracts ? marker_retraction : 0.0);
   kind.layout = kind.config.marker_refinement > 0
                     ? MarkerLayout(body.mesh, kind.config.marker_refinement)
-                    : MarkerLayout(body.mesh, refinement_for(body.mesh, body.positions, mean_spacing(grid)));
+                    : MarkerLayout(body.mesh, refinement_for(body.mesh, body.positions, smallest_spacing(grid)));
+}
+
+/// A marker that stands for more than about two cells overshoots, and the flow blows up.
+void require_enough_markers(const BodyKind& kind, const CaseConfig& config, const Grid& grid) {
+  MarkerSet markers;
+  kind.layout.place(kind.prototype.positions, kind.prototype.velocities, markers);
+  const double largest = *std::max_element(markers.areas.begin(), markers.areas.end());
+  const double correction = largest * mean_spacing(grid) / (grid.dx() * grid.dy() * grid.smallest_dz());
+  if (!kind.acts_on_flow() || correction < DirectForcing::largest_stable_correction) return;
+  throw InputError(
+      fmt::format("{} has too few markers for the grid: one stands for {:.2g} cells, from {} on forcing is unstable; "
+                  "leave marker_refinement to Pliant, or raise it",
+                  place_of(config, kind), correction, DirectForcing::largest_stable_correction));
 }
 
 }  // namespace
@@ -155,6 +172,7 @@ BodyKind make_body_kind(const CaseConfig& config, std::size_t index, const Grid&
   kind.added_mass_ratio = added_mass_ratio(kind, config.fluid.density);
   std::string reason;
   kind.coupling = choose_coupling(kind, reason);
+  require_enough_markers(kind, config, grid);
   return kind;
 }
 

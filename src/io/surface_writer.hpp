@@ -21,8 +21,8 @@ struct SurfaceValues {
   std::vector<double> values;
 };
 
-/// The copies of a surface that a rank holds, as they are at one moment. All ranks give the same sets in the same order,
-/// the first being the positions of the vertices.
+/// The copies of a surface that a rank holds, as they are at one moment. All ranks give the same sets in the same
+/// order, the first being the positions of the vertices.
 struct SurfaceBatch {
   std::vector<std::int32_t> copies;  ///< their numbers
   std::vector<SurfaceValues> sets;
@@ -30,8 +30,9 @@ struct SurfaceBatch {
 
 /// Writes all copies of one surface as OUT/surfaces/<name>_<step>.h5, with OUT/<name>.xdmf listing the snapshots.
 ///
-/// A file holds `triangles` [n_faces][3] (vertex indices from 0), `body` [n_faces] (the copy's number) and the sets, each
-/// [n][width] in double precision, copies in the order of the ranks that hold them; and the attributes `time` and `step`.
+/// A file holds `triangles` [n_faces][3] (vertex indices from 0), `body` [n_faces] (the copy's number) and the sets,
+/// each [n][width] in double precision, copies in the order of the ranks that hold them; and the attributes `time` and
+/// `step`.
 class SurfaceWriter {
  public:
   /// Nothing is written yet. `triangles` of one copy.
@@ -48,7 +49,8 @@ class SurfaceWriter {
   struct Share {
     std::int64_t first = 0, mine = 0, all = 0;  // copies
   };
-  void write_file(const std::filesystem::path& path, const SurfaceBatch& batch, const Share& share, Moment moment) const;
+  void write_file(const std::filesystem::path& path, const SurfaceBatch& batch, const Share& share,
+                  Moment moment) const;
   std::string describe(const SurfaceBatch& batch, const Share& share, const std::string& file) const;
   std::int64_t items(SurfaceCenter center) const;
 

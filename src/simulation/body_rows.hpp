@@ -6,7 +6,8 @@
 
 namespace pliant {
 
-/// Columns of the table of a [[body]] after step and time; a table of copies has the copy's number, from 1, as its first.
+/// Columns of the table of a [[body]] after step and time; a table of copies has the copy's number, from 1, as its
+/// first.
 std::vector<std::string> body_columns(const BodyKind& kind, long copies);
 
 /// A body's values in these columns.

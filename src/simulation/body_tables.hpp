@@ -13,7 +13,8 @@ namespace pliant {
 /// The tables OUT/bodies/<name>.csv, one a [[body]]; copies share one, a line each.
 class BodyTables {
  public:
-  using MakeTable = std::function<std::unique_ptr<CsvWriter>(const std::string& file, std::vector<std::string> columns)>;
+  using MakeTable =
+      std::function<std::unique_ptr<CsvWriter>(const std::string& file, std::vector<std::string> columns)>;
 
   /// `make` is called on the root. Collective. Throws CollectiveError.
   BodyTables(const Bodies& bodies, const Communicator& ranks, const MakeTable& make);

@@ -8,8 +8,8 @@
 #include <sstream>
 
 #include "core/error.hpp"
-#include "parallel/agree.hpp"
 #include "io/atomic_file.hpp"
+#include "parallel/agree.hpp"
 
 namespace pliant {
 namespace {

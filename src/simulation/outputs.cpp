@@ -26,7 +26,7 @@ std::vector<double> to_row(Moment moment, const HistoryRow& row) {
 }
 
 std::vector<std::string> history_columns(const CaseConfig& config) {
-  std::vector<std::string> columns{"step",   "time",   "dt",     "cfl",    "divergence", "kinetic_energy",
+  std::vector<std::string> columns{"step",   "time",   "dt",     "cfl",          "divergence",         "kinetic_energy",
                                    "bulk_u", "bulk_v", "bulk_w", "bulk_forcing", "coupling_iterations"};
   for (const auto& side : config.boundary)
     if (const auto* patches = patches_of(side))
@@ -83,7 +83,8 @@ void Outputs::resume(const OutputsState& state) {
 OutputsState Outputs::state() const {
   OutputsState state;
   if (history_table_) state.tables["history.csv"] = history_table_->size();
-  for (const auto& table : body_tables_->tables()) state.tables["bodies/" + table->path().filename().string()] = table->size();
+  for (const auto& table : body_tables_->tables())
+    state.tables["bodies/" + table->path().filename().string()] = table->size();
   const auto add_series = [&](const XdmfSeries& series) {
     state.series[series.path().filename().string()] = series.size();
   };
@@ -113,12 +114,17 @@ void Outputs::write_history(Moment moment, const HistoryRow& row, const Bodies& 
   body_tables_->write(moment, bodies);
 }
 
+bool Outputs::is_due(const Schedule& schedule, Moment moment, Urgency urgency) const {
+  return urgency == Urgency::last ? schedule.is_wanted() : schedule.is_due(moment.step, moment.time);
+}
+
+bool Outputs::has_surfaces_due(Moment moment, Urgency urgency) const {
+  return is_due(surfaces_due_, moment, urgency) && last_surfaces_ != moment.step && !surfaces_.empty();
+}
+
 bool Outputs::write_snapshots(Moment moment, const FlowSolver& flow, const Bodies& bodies, Urgency urgency) {
-  const auto is_due = [&](const Schedule& schedule) {
-    return urgency == Urgency::last ? schedule.is_wanted() : schedule.is_due(moment.step, moment.time);
-  };
-  const bool fields = is_due(fields_due_) && last_fields_ != moment.step;
-  const bool surfaces = is_due(surfaces_due_) && last_surfaces_ != moment.step && bodies.count() > 0;
+  const bool fields = is_due(fields_due_, moment, urgency) && last_fields_ != moment.step;
+  const bool surfaces = has_surfaces_due(moment, urgency);
   if (fields) write_fields(moment, flow);
   if (surfaces) write_surfaces(moment, bodies);
   return fields || surfaces;

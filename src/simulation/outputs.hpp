@@ -1,6 +1,7 @@
 #pragma once
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "flow/flow_solver.hpp"
@@ -18,7 +19,7 @@ struct HistoryRow {
   double dt = 0, cfl = 0, divergence = 0, kinetic_energy = 0;
   Vec3 bulk_velocity;
   double bulk_forcing = 0;
-  int coupling_iterations = 0;  ///< of strong coupling in the last step
+  int coupling_iterations = 0;           ///< of strong coupling in the last step
   std::vector<double> patch_flow_rates;  ///< one column each, in the order of the case
 };
 
@@ -46,12 +47,15 @@ class Outputs {
   bool is_history_due(long step) const { return step % history_.every == 0; }
 
   void write_history(Moment moment, const HistoryRow& row, const Bodies& bodies);
+  /// Whether write_snapshots would write surfaces, so that their stresses are wanted.
+  bool has_surfaces_due(Moment moment, Urgency urgency) const;
   /// Writes the snapshots that are due, and none twice. True if there were any.
   bool write_snapshots(Moment moment, const FlowSolver& flow, const Bodies& bodies, Urgency urgency);
   /// Writes fields and surfaces whether they are wanted or not: the evidence of a run that failed.
   void write_evidence(Moment moment, const FlowSolver& flow, const Bodies& bodies);
 
  private:
+  bool is_due(const Schedule& schedule, Moment moment, Urgency urgency) const;
   std::unique_ptr<CsvWriter> make_table(const std::string& file, std::vector<std::string> columns,
                                         const OutputsState* resumed) const;
   void resume(const OutputsState& state);
@@ -64,7 +68,7 @@ class Outputs {
   Schedule fields_due_, surfaces_due_;
   FieldWriter fields_;
   std::vector<SurfaceWriter> surfaces_;
-  std::unique_ptr<CsvWriter> history_table_;             // on the root
+  std::unique_ptr<CsvWriter> history_table_;  // on the root
   std::optional<BodyTables> body_tables_;
   long last_history_ = -1, last_fields_ = -1, last_surfaces_ = -1;
 };

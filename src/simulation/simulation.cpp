@@ -12,8 +12,12 @@
 #include "core/error.hpp"
 #include "core/timer.hpp"
 #include "core/version.hpp"
-#include "parallel/agree.hpp"
+#include "coupling/body_rates.hpp"
+#include "coupling/describe_kind.hpp"
+#include "coupling/loose.hpp"
+#include "coupling/strong.hpp"
 #include "io/run_report.hpp"
+#include "parallel/agree.hpp"
 #include "signals/make_signal.hpp"
 #include "simulation/case_identity.hpp"
 #include "simulation/output_folder.hpp"
@@ -21,7 +25,6 @@
 #include "simulation/stop_signals.hpp"
 #include "simulation/time_step.hpp"
 #include "simulation/wall_clock.hpp"
-#include "transfer/mls_sampler.hpp"
 
 namespace pliant {
 namespace {
@@ -69,8 +72,9 @@ struct Simulation::Impl {
 
   void introduce() const;
   double choose_step();
-  void advance_fluid(double dt);
-  void advance_bodies(double dt);
+  void advance(double dt);
+  double bodies_rate();
+  void diagnose_bodies();
   int agree_on_state(const StopSignals& signals);
   void record(Record wanted);
   void write_outputs(Urgency urgency);
@@ -96,7 +100,9 @@ struct Simulation::Impl {
   Bodies bodies;
   FlowSolver flow;
   double side_rate;  // convective, that the signals of the sides ask for at some time
-  MlsSampler sampler;
+  double path_rate;  // the same of prescribed motions
+  std::optional<CoupledFlow> coupled;
+  StrongCoupling strong;
   std::optional<Outputs> outputs;
   std::optional<RunReport> run_report;  // on the root
   Progress progress;
@@ -112,6 +118,8 @@ struct Simulation::Impl {
   std::optional<double> rate;  // convective, of the present flow; unknown after a step until someone asks
   double last_cfl = 0;
   long last_shown = -1;
+  long last_diagnosed = -1;
+  int iterations = 0;  // of strong coupling in the last step
   std::string body_problem;
 };
 
@@ -124,7 +132,8 @@ Simulation::Impl::Impl(const CaseConfig& case_config, const Communicator& commun
       bodies(config, grid),
       flow(grid, flow_parameters(config)),
       side_rate(flow.largest_side_rate(config.time.end)),
-      sampler(grid, {&flow.state().u, &flow.state().v, &flow.state().w, &flow.state().p}, config.fluid.density),
+      path_rate(largest_path_rate(bodies, config.time.end)),
+      strong(ranks, config.coupling),
       progress(log, ranks.is_root() ? options.progress : ProgressStyle::silent,
                {config.time.end, config.time.max_steps.value_or(-1),
                 static_cast<double>(config.box.cells[0]) * config.box.cells[1] * config.box.cells[2]}),
@@ -139,6 +148,7 @@ Simulation::Impl::Impl(const CaseConfig& case_config, const Communicator& commun
 
 void Simulation::Impl::begin_anew() {
   set_initial_flow(flow, config.initial);
+  coupled.emplace(config, flow, bodies, RunStart::anew);
   prepare_output_folder(options.output, ranks, EarlierOutputs::removed);
   outputs.emplace(options.output, config, grid, bodies);
   do_on_root(ranks, [&] { run_report.emplace(options.output / "run.json", config, ranks); });
@@ -157,7 +167,10 @@ void Simulation::Impl::begin_from_checkpoint() {
     ByteReader run(saved.run);
     run.read(dt);
     run.read(last_cfl);
+    const auto strong_state = run.read_vector<double>();
     run.expect_end();
+    strong.restore(strong_state);
+    coupled.emplace(config, flow, bodies, RunStart::continued);
     now = {saved.step, saved.time};
     prepare_output_folder(options.output, ranks, goes_on ? EarlierOutputs::continued : EarlierOutputs::removed);
     const auto grown = OutputsState::decode(saved.outputs);
@@ -230,11 +243,7 @@ RunResult Simulation::Impl::loop(const Simulation& self, const Observer& observe
   wall_clock.end_step();
   while (!is_at_end() && state < stop_by_clock) {
     dt = choose_step();
-    advance_fluid(dt);
-    advance_bodies(dt);
-
-    ++now.step;
-    now.time = dt == next_event - now.time ? next_event : now.time + dt;
+    advance(dt);
     rate.reset();
 
     state = agree_on_state(signals);
@@ -270,8 +279,7 @@ void Simulation::Impl::introduce() const {
   log.info("Pliant {} ({}): {}", build.version, build.commit, config.title);
   log.info("{} x {} x {} cells on {} rank{}, {:.3g} MB for the flow on the first", n[0], n[1], n[2], ranks.size(),
            ranks.size() == 1 ? "" : "s", static_cast<double>(flow.bytes()) / 1e6);
-  for (const auto& body : bodies.all())
-    log.info("body {}: {} vertices, {} faces", body.name, body.mesh.n_vertices(), body.mesh.n_faces());
+  for (std::size_t k = 0; k < bodies.kinds().size(); ++k) log.info("{}", describe(bodies.kinds()[k], bodies.count(k)));
   log.info("until t = {:.6g}; outputs in {}", config.time.end, options.output.string());
   if (config.time.step && *config.time.step > flow.viscous_step_limit())
     log.warn(
@@ -286,7 +294,8 @@ bool Simulation::Impl::is_at_end() const {
 double Simulation::Impl::choose_step() {
   const auto scope = timer.measure("diagnostics");
   if (!config.time.step && !rate) rate = flow.convective_rate();
-  const auto limits = step_limits(config, grid, std::max(rate.value_or(0), side_rate), flow.viscous_step_limit());
+  const auto limits =
+      step_limits(config, grid, std::max({rate.value_or(0), side_rate, bodies_rate()}), flow.viscous_step_limit());
   next_event = std::min(config.time.end, outputs->next_time(now.time));
   const double step = step_towards(limits.smallest(), next_event - now.time);
   if (!(now.time + step > now.time))
@@ -298,20 +307,25 @@ double Simulation::Impl::choose_step() {
   return step;
 }
 
-void Simulation::Impl::advance_fluid(double step) {
-  const auto scope = timer.measure("fluid");
-  flow.advance(step);
+void Simulation::Impl::advance(double step) {
+  const double end = step == next_event - now.time ? next_event : now.time + step;
+  try {
+    if (coupled->has_strong()) iterations = strong.advance(*coupled, end, step).iterations;
+    else advance_loose(*coupled, end, step);
+    coupled->advance_one_way_bodies(step);
+    bodies.migrate();
+  } catch (const CollectiveError& error) { body_problem = error.what(); }
+  ++now.step;
+  now.time = end;
 }
 
-void Simulation::Impl::advance_bodies(double step) {
-  if (bodies.size() == 0) return;
-  const auto scope = timer.measure("bodies");
-  try {
-    bodies.advance(sampler, step);
-  } catch (const RunError& error) {
-    // All ranks move the same bodies in the same flow, so all of them come here.
-    body_problem = error.what();
-  }
+// Bodies that move, or will, set the flow in motion as walls do.
+double Simulation::Impl::bodies_rate() { return std::max(ranks.max(convective_rate(bodies)), path_rate); }
+
+void Simulation::Impl::diagnose_bodies() {
+  if (last_diagnosed == now.step) return;
+  coupled->diagnose();
+  last_diagnosed = now.step;
 }
 
 int Simulation::Impl::agree_on_state(const StopSignals& signals) {
@@ -345,6 +359,8 @@ void Simulation::Impl::record(Record wanted) {
     row.kinetic_energy = flow.kinetic_energy();
     row.bulk_velocity = flow.bulk_velocity();
     row.bulk_forcing = flow.bulk_forcing();
+    row.coupling_iterations = iterations;
+    diagnose_bodies();
     for (const auto& patch : flow.patch_flow_rates()) row.patch_flow_rates.push_back(patch.value);
     outputs->write_history(now, row, bodies);
   }
@@ -354,6 +370,7 @@ void Simulation::Impl::record(Record wanted) {
 
 void Simulation::Impl::write_outputs(Urgency urgency) {
   const auto scope = timer.measure("output");
+  if (outputs->has_surfaces_due(now, urgency)) diagnose_bodies();
   if (outputs->write_snapshots(now, flow, bodies, urgency)) report("running");
 }
 
@@ -381,6 +398,7 @@ CheckpointHead Simulation::Impl::head() const {
   ByteWriter run;
   run.write(dt);
   run.write(last_cfl);
+  run.write(strong.state());
   head.run = run.take();
   head.flow = flow.state_numbers();
   head.outputs = outputs->state().encode();
@@ -445,6 +463,7 @@ void Simulation::Impl::report(const std::string& status) {
 std::map<std::string, double> Simulation::Impl::slowest_phases() {
   auto mine = timer.seconds();
   for (const auto& [phase, seconds] : flow.timer().seconds()) mine["fluid: " + phase] += seconds;
+  for (const auto& [phase, seconds] : coupled->timer().seconds()) mine[phase] += seconds;
   std::string names;
   for (const auto& [phase, seconds] : mine) names += phase + '\n';
   names = ranks.broadcast(names);

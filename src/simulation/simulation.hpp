@@ -6,8 +6,8 @@
 #include <string>
 
 #include "config/case_config.hpp"
+#include "coupling/bodies.hpp"
 #include "flow/flow_solver.hpp"
-#include "simulation/bodies.hpp"
 #include "simulation/checkpoints.hpp"
 #include "simulation/progress.hpp"
 

@@ -1,0 +1,46 @@
+#include "coupling/body_rates.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pliant {
+namespace {
+
+double rate_of(const RigidState& motion, double extent, const Grid& grid) {
+  const double turning = norm(motion.angular_velocity) * extent;
+  const Vec3 v = motion.velocity;
+  return (std::abs(v.x) + turning) / grid.dx() + (std::abs(v.y) + turning) / grid.dy() +
+         (std::abs(v.z) + turning) / grid.smallest_dz();
+}
+
+double extent_of(const BodyKind& kind) {
+  double largest = 0;
+  for (const Vec3& x : kind.reference) largest = std::max(largest, norm(x));
+  return largest;
+}
+
+}  // namespace
+
+double convective_rate(const Bodies& bodies) {
+  double largest = 0;
+  for (const Body& body : bodies.own()) {
+    const auto& kind = bodies.kind_of(body);
+    if (!kind.has_pose() || !kind.acts_on_flow() || kind.config.motion == MotionKind::fixed) continue;
+    largest = std::max(largest, rate_of(body.pose, extent_of(kind), bodies.grid()));
+  }
+  return largest;
+}
+
+double largest_path_rate(const Bodies& bodies, double end) {
+  constexpr int samples = 1000;
+  double largest = 0;
+  for (const auto& kind : bodies.kinds()) {
+    if (kind.config.motion != MotionKind::prescribed || !kind.acts_on_flow()) continue;
+    for (int n = 0; n <= samples; ++n)
+      largest = std::max(
+          largest, rate_of(kind.path.state_at(end * n / samples, kind.path.pivot), extent_of(kind), bodies.grid()));
+  }
+  return largest;
+}
+
+}  // namespace pliant
