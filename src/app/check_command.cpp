@@ -119,6 +119,14 @@ void print_steps(const CaseConfig& config, const Grid& grid, const CheckedBodies
   for (const auto& kind : bodies.kinds)
     if (!kind.has_pose()) print_springs(config, kind.prototype, step);
   fmt::print("# the fluid's step: {}, ruled by {}\n", number(step), ruling.ruling());
+  const bool acts =
+      std::any_of(bodies.kinds.begin(), bodies.kinds.end(), [](auto& kind) { return kind.acts_on_flow(); });
+  if (const double viscous_number = forcing_viscous_number(config, grid, step);
+      acts && viscous_number > largest_forcing_viscous_number)
+    fmt::print(
+        "# warning: that is {:.2g} h^2/nu, above {}: drag of bodies falls short (time.max_step, "
+        "immersed_boundary.forcing_iterations)\n",
+        viscous_number, largest_forcing_viscous_number);
 }
 
 int check(const CheckArguments& arguments, const Communicator& communicator) {

@@ -73,6 +73,7 @@ struct Simulation::Impl {
   void introduce() const;
   double choose_step();
   void advance(double dt);
+  void warn_of_viscous_step(double step) const;
   double bodies_rate();
   void diagnose_bodies();
   int agree_on_state(const StopSignals& signals);
@@ -119,6 +120,7 @@ struct Simulation::Impl {
   double last_cfl = 0;
   long last_shown = -1;
   long last_diagnosed = -1;
+  long first_step = 0;
   int iterations = 0;  // of strong coupling in the last step
   std::string body_problem;
 };
@@ -185,6 +187,7 @@ void Simulation::Impl::begin_from_checkpoint() {
                     "--restart {}",
                     options.output.string(), error.what(), checkpoint.file.string()));
   }
+  first_step = now.step;
   if (goes_on) checkpoints.resume_after(now.step);
   do_on_root(ranks, [&] {
     if (goes_on) remove_unlisted_snapshots(options.output, now.step);
@@ -304,7 +307,18 @@ double Simulation::Impl::choose_step() {
                     "has become too fast to follow; look at the last fields in {}",
                     now.step, now.time, step, limits.ruling(), options.output.string()));
   if (rate) last_cfl = step * *rate;
+  if (now.step == first_step) warn_of_viscous_step(step);
   return step;
+}
+
+void Simulation::Impl::warn_of_viscous_step(double step) const {
+  const double number = forcing_viscous_number(config, grid, step);
+  if (!coupled->is_two_way() || number <= largest_forcing_viscous_number) return;
+  log.warn(
+      "the step is {:.2g} h^2/nu of the smallest spacing h, above {}: the flow slips at the bodies and drag falls "
+      "short by "
+      "some per cent; watch slip_max, and lower time.max_step or raise immersed_boundary.forcing_iterations",
+      number, largest_forcing_viscous_number);
 }
 
 void Simulation::Impl::advance(double step) {

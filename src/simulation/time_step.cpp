@@ -14,6 +14,8 @@ double rate_of(Vec3 velocity, Vec3 h) {
   return std::abs(velocity.x) / h.x + std::abs(velocity.y) / h.y + std::abs(velocity.z) / h.z;
 }
 
+bool is_free(const BodyConfig& body) { return body.motion == MotionKind::rigid || body.motion == MotionKind::hinge; }
+
 }  // namespace
 
 double StepLimits::smallest() const {
@@ -59,7 +61,9 @@ StepLimits step_limits(const CaseConfig& config, const Grid& grid, double rate, 
   const double fastest = std::max(rate, prescribed_rate(config, grid));
   if (fastest > 0) limits.convective = time.cfl / fastest;
   // After dt from rest the speed is a dt, so the Courant number a dt^2 / h.
-  const double surge = rate_of(config.forcing.acceleration, h);
+  double surge = rate_of(config.forcing.acceleration, h);
+  if (std::any_of(config.bodies.begin(), config.bodies.end(), is_free))
+    surge = std::max(surge, rate_of(config.forcing.gravity, h));
   // Once the flow has speed that is its limit; a force that friction balances must not hold the step down for ever.
   if (surge > 0 && limits.convective > 10 * std::sqrt(time.cfl / surge))
     limits.acceleration = std::sqrt(time.cfl / surge);
@@ -76,6 +80,12 @@ StepLimits step_limits(const CaseConfig& config, const Grid& grid, double rate, 
   const double longest = std::max({size.x, size.y, size.z}) / (2 * std::numbers::pi);
   if (nu > 0) limits.decay = 0.1 * longest * longest / nu;
   return limits;
+}
+
+double forcing_viscous_number(const CaseConfig& config, const Grid& grid, double step) {
+  const auto h = smallest_spacing(grid);
+  const double smallest = std::min({h.x, h.y, h.z});
+  return config.fluid.viscosity / config.fluid.density * step / (smallest * smallest);
 }
 
 double step_towards(double limit, double remaining) {

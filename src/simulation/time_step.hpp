@@ -33,6 +33,11 @@ StepLimits step_limits(const CaseConfig& config, const Grid& grid, double rate, 
 /// The convective rate that walls, steady inflows and the forcing prescribe before the flow has it.
 double prescribed_rate(const CaseConfig& config, const Grid& grid);
 
+/// nu dt / h^2 of the smallest spacing. Above largest_forcing_viscous_number the flow leaks away from the forced
+/// velocity within a step: drag falls short (bench/markers.md).
+double forcing_viscous_number(const CaseConfig& config, const Grid& grid, double step);
+inline constexpr double largest_forcing_viscous_number = 0.3;
+
 /// A step of at most `limit` that divides the time `remaining` to the next event into equal steps, so that the event is
 /// hit without a tiny last step. Where the limit itself does so to 1e-9 it is the step, to the bit.
 double step_towards(double limit, double remaining);
