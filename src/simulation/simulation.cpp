@@ -124,7 +124,7 @@ Simulation::Impl::Impl(const CaseConfig& case_config, const Communicator& commun
                {config.time.end, config.time.max_steps.value_or(-1),
                 static_cast<double>(config.box.cells[0]) * config.box.cells[1] * config.box.cells[2]}),
       checkpoints(options.output, config.checkpoint, ranks),
-      wall_clock(options.wall_clock),
+      wall_clock(options.wall_clock, start),
       case_text(case_identity(config).dump(-1, ' ', false, Json::error_handler_t::replace)) {
   if (options.restart) begin_from_checkpoint();
   else begin_anew();

@@ -253,6 +253,16 @@ TEST(Restart, KeepsTheNewestCheckpoints) {
   EXPECT_FALSE(fs::exists(owner.path() / "none/checkpoints"));
 }
 
+TEST(Restart, WritesACheckpointWhenTheMinutesArePast) {
+  const SharedFolder owner;
+  auto config = until(cases()[0].config, 5);
+  config.checkpoint.minutes = 1e-9;
+  config.checkpoint.keep = 100;
+  Simulation(config, Communicator(), silent(owner.path())).run();
+  for (const char* step : {"1", "2", "3", "4", "5"})
+    EXPECT_TRUE(fs::exists(owner.path() / ("checkpoints/step_00000" + std::string(step) + ".checkpoint"))) << step;
+}
+
 // Does something to a copy of a checkpoint on the root and tells whether any rank still takes it.
 bool is_taken(const fs::path& good, const fs::path& copy, const std::function<void()>& damage) {
   const Communicator ranks;
