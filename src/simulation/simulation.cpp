@@ -154,6 +154,7 @@ void Simulation::Impl::begin_from_checkpoint() {
     run.read(last_cfl);
     run.expect_end();
     now = {saved.step, saved.time};
+    if (!goes_on) require_unused(options.output, checkpoint.file, ranks);
     prepare_output_folder(options.output, ranks, goes_on ? EarlierOutputs::continued : EarlierOutputs::removed);
     const auto grown = OutputsState::decode(saved.outputs);
     outputs.emplace(options.output, config, grid, bodies, goes_on ? &grown : nullptr);
