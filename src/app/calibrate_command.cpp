@@ -84,7 +84,9 @@ void print_json(const ShearCalibration& c) {
 }
 
 int calibrate(const CalibrateArguments& arguments, const Communicator& ranks) {
-  const auto config = load_case(arguments.input, ranks);
+  auto config = load_case(arguments.input, ranks);
+  // The average is over the whole run, so there is nothing to continue.
+  config.checkpoint.keep = 0;
   const auto body = find_body(config, arguments.body);
   const double rate = shear_rate(config);
   SimulationOptions options;

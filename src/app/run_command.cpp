@@ -53,7 +53,7 @@ void add_run_command(CLI::App& app, Action& action) {
           [arguments](const std::vector<std::string>& values) {
             arguments->restart = values.empty() ? "" : values.front();
           },
-          "Go on from a checkpoint; without FILE from the newest good one in the output folder")
+          "Go on from a checkpoint; without FILE (then behind CASE) from the newest good one in the output folder")
       ->expected(0, 1)
       ->type_name("[FILE]");
   command->add_option("--wall-clock", arguments->wall_clock, "End with a checkpoint before this much time has passed")

@@ -236,7 +236,7 @@ void add_checkpoint(std::vector<CaseKey>& keys) {
       {"checkpoint.every", "steps", "steps between two checkpoints, beside those that are written as a run stops"},
       [](auto& c) { return &c.checkpoint.every; }, at_least(1)));
   keys.push_back(make_key<CaseConfig>(
-      {"checkpoint.minutes", "", "minutes of wall-clock time between two checkpoints"},
+      {"checkpoint.minutes", "minutes", "wall-clock time between two checkpoints"},
       [](auto& c) { return &c.checkpoint.minutes; }, positive()));
   keys.push_back(make_key<CaseConfig>(
       {"checkpoint.keep", "", "the newest checkpoints that stay; 0: none are written, not even as the run stops"},

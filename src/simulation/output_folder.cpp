@@ -60,6 +60,19 @@ void prepare_output_folder(const std::filesystem::path& folder, const Communicat
   }
 }
 
+void require_unused(const std::filesystem::path& folder, const std::filesystem::path& checkpoint,
+                    const Communicator& ranks) {
+  try {
+    do_on_root(ranks, [&] {
+      if (!fs::exists(folder / "run.json")) return;
+      throw RunError(
+          fmt::format("{0} holds a run, but not the checkpoint {1}: begin in another folder with --out DIR, or put the "
+                      "file into {2} to go on with that run",
+                      folder.string(), checkpoint.string(), (folder / "checkpoints").string()));
+    });
+  } catch (const CollectiveError& error) { throw InputError(error.what()); }
+}
+
 void remove_unlisted_snapshots(const std::filesystem::path& folder, long step) {
   const std::regex snapshot("(.*)_([0-9]{6,})\\.h5(\\.tmp)?");
   std::map<std::string, std::string> listed;  // the text of a series by its name

@@ -140,7 +140,7 @@ Simulation::Impl::Impl(const CaseConfig& case_config, const Communicator& commun
                {config.time.end, config.time.max_steps.value_or(-1),
                 static_cast<double>(config.box.cells[0]) * config.box.cells[1] * config.box.cells[2]}),
       checkpoints(options.output, config.checkpoint, ranks),
-      wall_clock(options.wall_clock),
+      wall_clock(options.wall_clock, start),
       case_text(case_identity(config).dump(-1, ' ', false, Json::error_handler_t::replace)) {
   if (options.restart) begin_from_checkpoint();
   else begin_anew();
@@ -174,6 +174,7 @@ void Simulation::Impl::begin_from_checkpoint() {
     strong.restore(strong_state);
     coupled.emplace(config, flow, bodies, RunStart::continued);
     now = {saved.step, saved.time};
+    if (!goes_on) require_unused(options.output, checkpoint.file, ranks);
     prepare_output_folder(options.output, ranks, goes_on ? EarlierOutputs::continued : EarlierOutputs::removed);
     const auto grown = OutputsState::decode(saved.outputs);
     outputs.emplace(options.output, config, grid, bodies, goes_on ? &grown : nullptr);

@@ -8,8 +8,9 @@ namespace pliant {
 /// The time that a run may take, as a batch system gives it: says when to stop so that the end is reached in time.
 class WallClock {
  public:
-  /// `limit` in seconds from now on; none: never time to stop.
-  explicit WallClock(std::optional<double> limit) : limit_(limit) {}
+  using Clock = std::chrono::steady_clock;
+  /// `limit` in seconds from the start on; none: never time to stop.
+  WallClock(std::optional<double> limit, Clock::time_point start) : limit_(limit), start_(start) {}
 
   /// Tells that a step of the run has ended, all its outputs included.
   void end_step();
@@ -18,9 +19,8 @@ class WallClock {
   bool is_time_to_stop(double reserve) const;
 
  private:
-  using Clock = std::chrono::steady_clock;
   std::optional<double> limit_;
-  Clock::time_point start_ = Clock::now(), last_ = start_;
+  Clock::time_point start_, last_ = Clock::now();
   double slowest_step_ = 0;
 };
 

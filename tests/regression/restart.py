@@ -7,6 +7,7 @@ import json
 import os
 import random
 import re
+import resource
 import shutil
 import signal
 import subprocess
@@ -201,6 +202,28 @@ def wall_clock(ranks):
     return test
 
 
+def full_disk(folder):
+    """A limit on the size of files stands for the full disk; it comes once checkpoints, which are larger, are there."""
+    prepare(folder, ENDLESS.replace("history.every = 7", "history.every = 1000"))
+    out = os.path.join(folder, "out")
+    process = subprocess.Popen(harness.command("run", folder, "--out", out), stdin=subprocess.DEVNULL,
+                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=harness.environment(),
+                               restore_signals=False,
+                               preexec_fn=lambda: signal.signal(signal.SIGXFSZ, signal.SIG_IGN))
+    while process.poll() is None and len(checkpoints(out)) < 2:
+        time.sleep(0.01)
+    resource.prlimit(process.pid, resource.RLIMIT_FSIZE, (8192, 8192))
+    result = finish(process)
+    expect(result.returncode == 3, "exit code 3 expected", result)
+    expect(re.search(r"error: cannot .*step_\d+\.checkpoint\.tmp", result.stderr), "the file is not named", result)
+    expect(not [name for name in os.listdir(os.path.join(out, "checkpoints")) if name.endswith(".tmp")],
+           "a part of a checkpoint is left")
+    expect(len(checkpoints(out)) == 2, "the older checkpoints are gone")
+    step = int(re.search(r"_(\d+)\.", checkpoints(out)[-1]).group(1))
+    result = finish(start(folder, out, "--restart", "--max-steps", str(step + 5)))
+    expect(result.returncode == 0, "the run cannot go on", result)
+
+
 def lost_table(folder):
     out = short_run(folder)
     shutil.copytree(out, out + "2")
@@ -217,6 +240,7 @@ harness.check("damaged checkpoint", damaged(1))
 harness.check("damaged checkpoint, 2 ranks", damaged(2))
 harness.check("foreign checkpoint", foreign)
 harness.check("no checkpoint", no_checkpoint)
+harness.check("full disk", full_disk)
 harness.check("lost tables", lost_table)
 harness.check("wall clock", wall_clock(1))
 harness.check("wall clock, 2 ranks", wall_clock(2))

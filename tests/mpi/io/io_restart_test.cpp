@@ -81,23 +81,22 @@ BodyConfig drop(std::string name, double x) {
   return body;
 }
 
+// The first has all that a checkpoint holds.
 std::vector<NamedCase> cases() {
+  auto open = common_case();
+  open.initial.amplitude = 1;
+  open.boundary[0] = InflowSide{{0.5, 0, 0}, InflowProfile::parabolic, 1.5};
+  open.boundary[1] = OutflowSide{};
+  open.boundary[4] = open.boundary[5] = WallSide{};
+  open.bodies = {drop("one", -1), drop("two", 0)};
   auto periodic = common_case();
+  periodic.time.viscous = ViscousMode::implicit_z;
   periodic.forcing.bulk_velocity = ForcingConfig::BulkVelocity{Axis::x, 1};
   auto channel = common_case();
   channel.boundary[4] = WallSide{{-2, 0, 0}};
   channel.boundary[5] = WallSide{{2, 0, 0}};
   channel.bodies = {drop("one", -1), drop("two", 1)};
-  auto open = common_case();
-  open.boundary[0] = InflowSide{{1, 0, 0}, InflowProfile::parabolic, 1.5};
-  open.boundary[1] = OutflowSide{};
-  open.boundary[4] = open.boundary[5] = WallSide{};
-  open.time.viscous = ViscousMode::implicit_z;
-  auto open_z = common_case();
-  open_z.boundary[4] = InflowSide{{0.2, 0, 1}};
-  open_z.boundary[5] = OutflowSide{};
-  return {
-      {"periodic", periodic}, {"channel with drops", channel}, {"inflow and outflow", open}, {"open along z", open_z}};
+  return {{"inflow, outflow and drops", open}, {"periodic", periodic}, {"channel with drops", channel}};
 }
 
 CaseConfig until(CaseConfig config, long steps) {
@@ -124,19 +123,21 @@ std::vector<double> result_of(const FirstRanks& first, const CaseConfig& config,
   const auto cells = static_cast<std::size_t>(config.box.cells[0]) * static_cast<std::size_t>(config.box.cells[1]) *
                      static_cast<std::size_t>(config.box.cells[2]);
   state.resize(4 * cells);
-  if (first.am_in()) {
-    Simulation simulation(config, first.ranks(), options);
-    simulation.run();
-    const auto tables = simulation.flow().state_tables();
-    for (std::size_t t = 0; t < 4; ++t)
-      simulation.flow().save_table(
-          t, std::span(state).subspan(t * cells + static_cast<std::size_t>(tables[t].first) * tables[t].row_size,
-                                      tables[t].size()));
-    if (first.ranks().is_root())
-      for (const auto& body : simulation.bodies().all())
-        for (const auto* values : {&body.positions, &body.velocities, &body.forces})
-          for (const Vec3 x : *values) state.insert(state.end(), {x.x, x.y, x.z});
-  }
+  if (first.am_in()) try {
+      Simulation simulation(config, first.ranks(), options);
+      simulation.run();
+      const auto tables = simulation.flow().state_tables();
+      for (std::size_t t = 0; t < 4; ++t)
+        simulation.flow().save_table(
+            t, std::span(state).subspan(t * cells + static_cast<std::size_t>(tables[t].first) * tables[t].row_size,
+                                        tables[t].size()));
+      if (first.ranks().is_root())
+        for (const auto& body : simulation.bodies().all())
+          for (const auto* values : {&body.positions, &body.velocities, &body.forces})
+            for (const Vec3 x : *values) state.insert(state.end(), {x.x, x.y, x.z});
+    } catch (const std::exception& error) {
+      ADD_FAILURE() << error.what();  // the other ranks of the test wait
+    }
   int size = Communicator().max(static_cast<int>(state.size()));
   state.resize(static_cast<std::size_t>(size));
   Communicator().sum(state);
@@ -163,19 +164,21 @@ void expect_same_files(const fs::path& a, const fs::path& b, const std::string& 
   for (const auto& [name, text] : second) EXPECT_TRUE(first.contains(name)) << what << ": " << name << " is too much";
 }
 
-constexpr long steps_before = 8, steps_in_all = 28;
+constexpr long steps_before = 5, steps_in_all = 25;
 
 TEST(Restart, ContinuesOnEveryNumberOfRanks) {
   const SharedFolder owner;
   const int n_ranks = Communicator().size();
   for (const auto& [name, config] : cases()) {
-    for (int n = 1; n <= n_ranks; ++n) {
+    const bool takes_all_pairs = name == cases().front().name;
+    for (int n = takes_all_pairs ? 1 : n_ranks; n <= n_ranks; ++n) {
       const auto what = name + " on " + std::to_string(n);
       const auto folder = owner.path() / what;
       const FirstRanks writers(n);
       const auto whole = result_of(writers, until(config, steps_in_all), silent(folder / "whole"));
       result_of(writers, until(config, steps_before), silent(folder / "part"));
       for (int m = 1; m <= n_ranks; ++m) {
+        if (!takes_all_pairs && m != 1 && m != n) continue;
         const auto copy = folder / ("from " + std::to_string(m));
         if (Communicator().is_root()) fs::copy(folder / "part", copy, fs::copy_options::recursive);
         Communicator().barrier();
@@ -202,7 +205,7 @@ TEST(Restart, ContinuesOnEveryNumberOfRanks) {
 
 // A run of a few steps with checkpoints of steps 4 and 6.
 CaseConfig short_case() {
-  auto config = until(cases()[1].config, 6);
+  auto config = until(cases()[2].config, 6);
   config.checkpoint.every = 4;
   return config;
 }
@@ -235,9 +238,20 @@ TEST(Restart, StartsItsOutputsAnewInAnotherFolder) {
   EXPECT_EQ(report["restarts"][0]["step"], 6);
 }
 
+TEST(Restart, DoesNotClearAnotherRunForACheckpointFromElsewhere) {
+  const SharedFolder owner;
+  const auto folder = owner.path() / "run", copy = owner.path() / "copy.checkpoint";
+  Simulation(short_case(), Communicator(), silent(folder)).run();
+  if (Communicator().is_root()) fs::copy_file(folder / "checkpoints/step_000004.checkpoint", copy);
+  Communicator().barrier();
+  const auto text = refusal(short_case(), restarted(folder, copy));
+  EXPECT_NE(text.find(folder.string() + " holds a run"), std::string::npos) << text;
+  EXPECT_EQ(Simulation(short_case(), Communicator(), restarted(folder)).step(), 6);
+}
+
 TEST(Restart, KeepsTheNewestCheckpoints) {
   const SharedFolder owner;
-  auto config = until(cases()[0].config, 11);
+  auto config = until(cases()[1].config, 11);
   config.checkpoint.every = 2;
   config.checkpoint.keep = 3;
   Simulation(config, Communicator(), silent(owner.path() / "run")).run();
@@ -251,6 +265,16 @@ TEST(Restart, KeepsTheNewestCheckpoints) {
   EXPECT_EQ(names,
             (std::vector<std::string>{"step_000008.checkpoint", "step_000010.checkpoint", "step_000011.checkpoint"}));
   EXPECT_FALSE(fs::exists(owner.path() / "none/checkpoints"));
+}
+
+TEST(Restart, WritesACheckpointWhenTheMinutesArePast) {
+  const SharedFolder owner;
+  auto config = until(cases()[1].config, 5);
+  config.checkpoint.minutes = 1e-9;
+  config.checkpoint.keep = 100;
+  Simulation(config, Communicator(), silent(owner.path())).run();
+  for (const char* step : {"1", "2", "3", "4", "5"})
+    EXPECT_TRUE(fs::exists(owner.path() / ("checkpoints/step_00000" + std::string(step) + ".checkpoint"))) << step;
 }
 
 // Does something to a copy of a checkpoint on the root and tells whether any rank still takes it.
@@ -367,6 +391,7 @@ TEST(Restart, LeavesTheOldCheckpointWhenTheDiskIsFull) {
   ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &tight), 0);
   EXPECT_THROW(write_checkpoint(file, head, flow, {}), CollectiveError);
   ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &before), 0);
+  Communicator().barrier();
   EXPECT_FALSE(fs::exists(file.string() + ".tmp"));
   CheckpointReader(file, Communicator()).verify();
 }
@@ -374,7 +399,7 @@ TEST(Restart, LeavesTheOldCheckpointWhenTheDiskIsFull) {
 TEST(Restart, ARunThatFailsLeavesAGoodStateFromBeforeIt) {
   const SharedFolder owner;
   const auto folder = owner.path() / "run";
-  auto config = cases()[0].config;
+  auto config = cases()[1].config;
   config.output = {};
   config.initial.amplitude = 5;
   config.fluid.viscosity = 1e-3;
@@ -395,7 +420,7 @@ TEST(Restart, ARunThatFailsLeavesAGoodStateFromBeforeIt) {
 
 TEST(Restart, ASignalLeavesACheckpointThatGoesOnWithTheSameBits) {
   const SharedFolder owner;
-  const auto config = until(cases()[1].config, 13);
+  const auto config = until(cases()[2].config, 13);
   const Communicator ranks;
   Simulation(config, ranks, silent(owner.path() / "whole")).run();
   const auto folder = owner.path() / "stopped";
