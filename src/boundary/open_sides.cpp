@@ -47,7 +47,6 @@ OpenSides::OpenSides(const Grid& grid, const BoundaryConfig& boundary, const Sig
     if (inflow != nullptr && !inflow->signal.empty()) side.signal = make_signal_or_formula(inflow->signal, signals);
     if (has_patches) {
       side.patches = make_flow_patches(*patches, grid, signals);
-      side.rates.resize(side.patches.size());
       const FlowPatch* balance = side.balance_patch();
       side.area = balance != nullptr ? balance->area : 0;
       // A free-slip side slips in its patches too.
@@ -168,13 +167,14 @@ const FlowPatch* OpenSides::Side::balance_patch() const {
 void OpenSides::set_patches(Side& side, const VelocityViews& velocity, double time, double dt_alpha) const {
   const FlowPatch* balance = side.balance_patch();
   if (balance != nullptr && side.here) set_balance_patch(side, *balance, velocity, dt_alpha);
-  for (std::size_t p = 0; p < side.patches.size(); ++p) {
-    const FlowPatch& patch = side.patches[p];
+  side.given = 0;
+  for (const FlowPatch& patch : side.patches) {
     if (patch.balances()) continue;
-    side.rates[p] = patch.flow_rate(time);
+    const double rate = patch.flow_rate(time);
+    side.given += rate;
     for (std::size_t n = 0; n < patch.faces.size(); ++n)
       side.values[2][side.index(patch.faces[n][0], patch.faces[n][1])] =
-          -side.outwards() * side.rates[p] * patch.weights[n];
+          -side.outwards() * rate * patch.weights[n];
   }
 }
 
@@ -277,20 +277,24 @@ void OpenSides::balance() {
     } else if (const FlowPatch* patch = side.balance_patch()) {
       for (const auto& [i, j] : patch->faces) side.values[2][side.index(i, j)] += side.outwards() * shift;
       extend(side);
-      double others = 0;
-      for (double rate : side.rates) others += rate;
-      side.mean_outward = (fluxes[s] + others) / side.area + shift;
+      side.mean_outward = (fluxes[s] + side.given) / side.area + shift;
     }
   }
 }
 
 std::vector<PatchFlowRate> OpenSides::patch_flow_rates() const {
   std::vector<PatchFlowRate> rates;
+  std::vector<double> sums;
   for (const Side& side : sides_)
-    for (std::size_t p = 0; p < side.patches.size(); ++p) {
-      const FlowPatch& patch = side.patches[p];
-      rates.push_back({patch.name, patch.balances() ? 0 - side.mean_outward * side.area : side.rates[p]});
+    for (const FlowPatch& patch : side.patches) {
+      double sum = 0;
+      if (side.here)
+        for (const auto& [i, j] : patch.faces) sum -= side.outwards() * side.values[2][side.index(i, j)];
+      rates.push_back({patch.name, 0});
+      sums.push_back(sum * grid_.dx() * grid_.dy());
     }
+  grid_.ranks().sum(sums);
+  for (std::size_t p = 0; p < sums.size(); ++p) rates[p].value = sums[p];
   return rates;
 }
 
@@ -310,10 +314,12 @@ double OpenSides::largest_rate(double end) const {
   const auto sample = [&](double time) {
     double net = 0;
     for (const Side& side : sides_) {
-      if (side.signal) {
+      if (side.inflow != nullptr) {
+        const double factor = side.signal ? side.signal->value(time) : 1.0;
         double rate = 0;
         for (int d = 0; d < 3; ++d) rate += std::abs(side.inflow->velocity[d]) / smallest_spacing(d);
-        largest = std::max(largest, rate * std::abs(side.signal->value(time)));
+        if (side.signal) largest = std::max(largest, rate * std::abs(factor));
+        net -= side.outwards() * side.inflow->velocity[side.direction()] * side.area * factor;
       }
       const double dz = grid_.global_dz_c()[side.number % 2 == 0 ? 0 : grid_.cells()[2] - 1];
       for (const auto& patch : side.patches) {

@@ -55,9 +55,10 @@ class OpenSides {
 
   /// Net flux out of the box after the last start or advance, as summed over the faces. Collective.
   double net_outward_flux() const;
-  /// Of all patches, in the order of the case, after the last start or advance.
+  /// Of all patches, in the order of the case, summed over their faces after the last start or advance. Collective.
   std::vector<PatchFlowRate> patch_flow_rates() const;
-  /// The largest convective rate, velocity over spacing, that patches and inflows with a signal ask for until `end`.
+  /// The largest convective rate, velocity over spacing, that patches and inflows with a signal ask for until `end`
+  /// (sampled; of a balance patch a bound).
   double largest_rate(double end) const;
 
  private:
@@ -66,7 +67,7 @@ class OpenSides {
     const InflowSide* inflow = nullptr;
     std::optional<Signal> signal;    ///< of the inflow
     std::vector<FlowPatch> patches;  ///< neither inflow nor patches: outflow
-    std::vector<double> rates;       ///< flow rates of the patches now
+    double given = 0;                ///< flow rate into the box of all patches but the one that balances
     bool here = false;  ///< this rank's slab touches it
     int na = 0, nb = 0;
     std::ptrdiff_t stride = 0;
