@@ -20,6 +20,11 @@ double coordinate(const Grid& grid, int direction, int component, int n) {
   return on_face ? grid.z_face()[n] : grid.z_center()[n];
 }
 
+/// One upwind step from an old value towards the one next to it.
+double towards(double old, double courant, double neighbour) {
+  return old - std::clamp(courant, 0.0, 1.0) * (old - neighbour);
+}
+
 }  // namespace
 
 OpenSides::OpenSides(const Grid& grid, const BoundaryConfig& boundary, const Signals& signals)
@@ -50,8 +55,16 @@ OpenSides::OpenSides(const Grid& grid, const BoundaryConfig& boundary, const Sig
       const FlowPatch* balance = side.balance_patch();
       side.area = balance != nullptr ? balance->area : 0;
       // A free-slip side slips in its patches too.
-      const bool slides = balance != nullptr && std::holds_alternative<WallSide>(spec);
+      const bool slides = std::holds_alternative<WallSide>(spec);
       side.varies = {slides, slides, true};
+      side.owners.assign(side.values[2].size(), -1);
+      for (std::size_t p = 0; p < side.patches.size(); ++p)
+        for (const auto& [i, j] : side.patches[p].faces) side.owners[side.index(i, j)] = static_cast<int>(p);
+      // Beyond a bounded edge there is no face, beyond a periodic one the first.
+      for (int j = 0; j < side.nb && grid.is_periodic(0); ++j)
+        side.owners[side.index(side.na, j)] = side.owners[side.index(0, j)];
+      for (int i = 0; i < side.na && grid.is_periodic(1); ++i)
+        side.owners[side.index(i, side.nb)] = side.owners[side.index(i, 0)];
     }
     sides_.push_back(std::move(side));
   }
@@ -110,8 +123,7 @@ void OpenSides::set_side(Side& side, const VelocityViews& velocity, double time,
 void OpenSides::set_inflow(Side& side, double time) const {
   const InflowSide& inflow = *side.inflow;
   const double phase = inflow.ramp > 0 ? std::clamp(time / inflow.ramp, 0.0, 1.0) : 1.0;
-  const double growth =
-      0.5 * (1 - std::cos(std::numbers::pi * phase)) * (side.signal ? side.signal->value(time) : 1.0);
+  const double growth = 0.5 * (1 - std::cos(std::numbers::pi * phase)) * (side.signal ? side.signal->value(time) : 1.0);
   const auto& directions = along[static_cast<std::size_t>(side.direction())];
   // Values at a boundary half a cell away enter its ghost twice.
   for (int c = 0; c < 3; ++c) {
@@ -149,8 +161,7 @@ void OpenSides::set_outflow(Side& side, const VelocityViews& velocity, double dt
     };
     for (int b = 0; b < side.nb; ++b)
       for (int a = 0; a < side.na; ++a) {
-        const double old = at(outer, a, b);
-        side.values[static_cast<std::size_t>(c)][side.index(a, b)] = old - courant * (old - at(inner, a, b));
+        side.values[static_cast<std::size_t>(c)][side.index(a, b)] = towards(at(outer, a, b), courant, at(inner, a, b));
       }
   };
   step(velocity.u, 0);
@@ -164,56 +175,68 @@ const FlowPatch* OpenSides::Side::balance_patch() const {
   return nullptr;
 }
 
+// What enters through a patch with a rate has its profile and the wall's own tangential velocity. What leaves, through
+// any patch, is carried by the convective condition of an outflow side, shifted to its rate: no slip in the hole would
+// be a layer that the flow does not have, and that ends in wiggles and, as the hole closes, in a jet that nothing
+// drives. What enters through the balance patch tends to a plug, as fast as it comes: values kept as they were would
+// come in as they left. The tangential values are those of the wall itself, half a cell from the first nodes: the rule
+// of a wall stays, and with it the implicit solves.
 void OpenSides::set_patches(Side& side, const VelocityViews& velocity, double time, double dt_alpha) const {
-  const FlowPatch* balance = side.balance_patch();
-  if (balance != nullptr && side.here) set_balance_patch(side, *balance, velocity, dt_alpha);
+  std::vector<PatchMotion> motions;
   side.given = 0;
   for (const FlowPatch& patch : side.patches) {
-    if (patch.balances()) continue;
-    const double rate = patch.flow_rate(time);
-    side.given += rate;
-    for (std::size_t n = 0; n < patch.faces.size(); ++n)
-      side.values[2][side.index(patch.faces[n][0], patch.faces[n][1])] =
-          -side.outwards() * rate * patch.weights[n];
+    const double rate = patch.balances() ? -side.mean_outward * patch.area : patch.flow_rate(time);
+    if (!patch.balances()) side.given += rate;
+    const double dz = grid_.global_dz_c()[side.number % 2 == 0 ? 0 : grid_.cells()[2] - 1];
+    motions.push_back({rate, std::abs(rate) / patch.area * dt_alpha / dz});
   }
+  if (!side.here) return;
+  for (std::size_t p = 0; p < side.patches.size(); ++p)
+    set_normal_values(side, side.patches[p], motions[p], velocity.w);
+  if (!side.varies[0]) return;
+  set_tangential_values(side, motions, 0, velocity.u);
+  set_tangential_values(side, motions, 1, velocity.v);
 }
 
-// While fluid leaves, on the whole, the patch is convective as an outflow side is: eddies pass. While fluid enters nothing
-// upstream could be carried there, and values kept as they were would come in as they left; so what comes in tends to a
-// plug with the wall's own tangential velocity, as fast as it comes. The two meet where nothing passes. The tangential
-// values are those of the wall itself, half a cell from the first nodes: the rule of a wall stays, and with it the implicit
-// solves.
-void OpenSides::set_balance_patch(Side& side, const FlowPatch& patch, const VelocityViews& velocity,
-                                  double dt_alpha) const {
-  const bool upper = side.number % 2 == 1, leaves = side.mean_outward > 0;
-  const int cell = upper ? grid_.nz() - 1 : 0, inner_face = upper ? grid_.nz() - 2 : 0;
-  const double cells = std::abs(side.mean_outward) * dt_alpha / grid_.dz_c()[cell];
-  const auto towards = [](double old, double courant, double target) {
-    return old - std::clamp(courant, 0.0, 1.0) * (old - target);
+void OpenSides::set_normal_values(Side& side, const FlowPatch& patch, const PatchMotion& motion,
+                                  ConstView<FaceZ> w) const {
+  const double inwards = -side.outwards();
+  const auto value = [&](const std::array<int, 2>& face) -> double& {
+    return side.values[2][side.index(face[0], face[1])];
   };
-  const double plug = side.outwards() * side.mean_outward;
-  for (const auto& [i, j] : patch.faces) {
-    double& w = side.values[2][side.index(i, j)];
-    w = towards(w, cells, leaves ? velocity.w(i, j, inner_face) : plug);
+  if (!motion.leaves() && !patch.balances()) {
+    for (std::size_t n = 0; n < patch.faces.size(); ++n)
+      value(patch.faces[n]) = inwards * motion.rate * patch.weights[n];
+    return;
   }
-  const auto* wall = std::get_if<WallSide>(&boundary_[static_cast<std::size_t>(side.number)]);
-  if (wall == nullptr) return;
-  std::vector<char> open(side.values[0].size());
-  for (const auto& [i, j] : patch.faces) open[side.index(i, j)] = 1;
-  const auto slide = [&](std::size_t c, const auto& field, int di, int dj) {
-    for (int j = 0; j < side.nb; ++j)
-      for (int i = 0; i < side.na; ++i) {
-        // A node between two faces; beyond a bounded edge there is no face, beyond a periodic one the first.
-        const int in = grid_.is_periodic(0) ? (i + di) % side.na : i + di;
-        const int jn = grid_.is_periodic(1) ? (j + dj) % side.nb : j + dj;
-        const double at_wall = wall->velocity[static_cast<int>(c)];
-        double& value = side.values[c][side.index(i, j)];
-        if (open[side.index(i, j)] == 0 || open[side.index(in, jn)] == 0) value = 2 * at_wall;
-        else value = 2 * towards(0.5 * value, 2 * cells, leaves ? field(i, j, cell) : at_wall);
-      }
-  };
-  slide(0, velocity.u, 1, 0);
-  slide(1, velocity.v, 0, 1);
+  const int inner = side.number % 2 == 1 ? grid_.nz() - 2 : 0;
+  const double plug = inwards * motion.rate / patch.area;
+  double mean = 0;
+  for (const auto& face : patch.faces) {
+    value(face) = towards(value(face), motion.cells, motion.leaves() ? w(face[0], face[1], inner) : plug);
+    mean += value(face) / static_cast<double>(patch.faces.size());
+  }
+  if (patch.balances()) return;  // shifted when all the others are known
+  for (const auto& face : patch.faces) value(face) += plug - mean;
+}
+
+template <class Location>
+void OpenSides::set_tangential_values(Side& side, const std::vector<PatchMotion>& motions, int component,
+                                      ConstView<Location> field) const {
+  const auto c = static_cast<std::size_t>(component);
+  const double at_wall = std::get<WallSide>(boundary_[static_cast<std::size_t>(side.number)]).velocity[component];
+  const int k = side.number % 2 == 1 ? grid_.nz() - 1 : 0;
+  for (int j = 0; j < side.nb; ++j)
+    for (int i = 0; i < side.na; ++i) {
+      double& value = side.values[c][side.index(i, j)];
+      // A node lies between two faces, and in a patch if both are.
+      const int owner = side.owners[side.index(i, j)];
+      const bool within = owner >= 0 && owner == side.owners[side.index(i + 1 - component, j + component)];
+      const auto p = static_cast<std::size_t>(owner);
+      if (within && motions[p].leaves()) value = 2 * towards(0.5 * value, 2 * motions[p].cells, field(i, j, k));
+      else if (within && side.patches[p].balances()) value = 2 * towards(0.5 * value, 2 * motions[p].cells, at_wall);
+      else value = 2 * at_wall;
+    }
 }
 
 // The values just beyond the edges of a side, for the corners of the ghosts: around a period, else as within.
@@ -325,7 +348,8 @@ double OpenSides::largest_rate(double end) const {
       for (const auto& patch : side.patches) {
         const double rate = patch.flow_rate(time);
         net += rate;
-        largest = std::max(largest, std::abs(rate) * *std::max_element(patch.weights.begin(), patch.weights.end()) / dz);
+        largest =
+            std::max(largest, std::abs(rate) * *std::max_element(patch.weights.begin(), patch.weights.end()) / dz);
       }
     }
     for (const Side& side : sides_)

@@ -31,10 +31,10 @@ struct PatchConfig {
   std::string name;
   PatchShape shape = PatchShape::disc;
   std::array<double, 2> center{0, 0};
-  std::optional<double> radius;  ///< outside: of the hole; none: all that other patches leave
-  double inner_radius = 0;       ///< annulus
-  std::array<double, 2> size{0, 0};  ///< rectangle
-  std::string flow_rate;             ///< into the box: a signal's name or a formula of t
+  std::optional<double> radius;                ///< outside: of the hole; none: all that other patches leave
+  double inner_radius = 0;                     ///< annulus
+  std::array<double, 2> size{0, 0};            ///< rectangle
+  std::string flow_rate;                       ///< into the box: a signal's name or a formula of t
   std::optional<std::array<double, 2>> phase;  ///< part of the signal's period in which fluid passes
   PatchProfile profile = PatchProfile::uniform;
   bool balance = false;  ///< lets out what else comes in
@@ -52,7 +52,7 @@ enum class InflowProfile { uniform, parabolic };
 struct InflowSide {
   Vec3 velocity;  ///< must point into the box
   InflowProfile profile = InflowProfile::uniform;
-  double ramp = 0;  ///< time over which the velocity grows from 0; 0: at once
+  double ramp = 0;          ///< time over which the velocity grows from 0; 0: at once
   std::string signal = {};  ///< factor on the velocity: a signal's name or a formula of t; empty: 1
 };
 /// Convective outflow; all outflow sides together let out what comes in.
@@ -125,13 +125,14 @@ struct FileSurface {
 using SurfaceSpec = std::variant<SphereSurface, FileSurface>;
 
 enum class TractionForm { none, drag, one_sided, gradient };
-/// Whose area a vertex's drag counts: a network's drag belongs to its material, a liquid interface's to its present area.
+/// Whose area a vertex's drag counts: a network's drag belongs to its material, a liquid interface's to its present
+/// area.
 enum class DragArea { reference, current };
 struct TractionConfig {
   TractionForm form = TractionForm::one_sided;
   double coefficient = 100.0;  ///< drag: c_d in c = c_d mu A_node / R
   DragArea area = DragArea::reference;
-  double probe_length = 0.0;   ///< one-sided, gradient: 0 means the mean grid spacing
+  double probe_length = 0.0;  ///< one-sided, gradient: 0 means the mean grid spacing
 };
 
 struct EdgeConfig {

@@ -23,8 +23,8 @@ std::vector<double> to_row(Moment moment, const HistoryRow& row) {
 }
 
 std::vector<std::string> history_columns(const BoundaryConfig& boundary) {
-  std::vector<std::string> columns{"step",   "time",   "dt",     "cfl",    "divergence", "kinetic_energy",
-                                   "bulk_u", "bulk_v", "bulk_w", "bulk_forcing"};
+  std::vector<std::string> columns{"step",           "time",   "dt",     "cfl",    "divergence",
+                                   "kinetic_energy", "bulk_u", "bulk_v", "bulk_w", "bulk_forcing"};
   for (const auto& side : boundary)
     if (const auto* patches = patches_of(side))
       for (const auto& patch : *patches) columns.push_back("flow_" + patch.name);
