@@ -26,7 +26,7 @@ for name in sorted(glob.glob(os.path.join(folder, "fields", "*.h5"))):
         snapshots.append((float(file.attrs["time"]), name))
 
 figure = plt.figure(figsize=(11, 7.5), layout="constrained")
-grid = figure.add_gridspec(3, 2, height_ratios=[1, 1, 0.6])
+grid = figure.add_gridspec(3, 2, height_ratios=[1, 1, 0.5])
 for n, time in enumerate(TIMES):
     name = min(snapshots, key=lambda s: abs(s[0] - time))[1]
     with h5py.File(name) as file:
@@ -37,7 +37,7 @@ for n, time in enumerate(TIMES):
     speed = numpy.linalg.norm(velocity, axis=-1)
     image = axes.pcolormesh(x, z, speed, shading="nearest", cmap="viridis", vmin=0, vmax=1.6)
     step = slice(1, None, 3)
-    axes.quiver(x[step], z[step], velocity[step, step, 0], velocity[step, step, 2], color="white", scale=22, width=0.002)
+    axes.quiver(x[step], z[step], velocity[step, step, 0], velocity[step, step, 2], color="white", scale=14, width=0.003)
     axes.set(title="t = {:.1f}".format(time), xlabel="x", ylabel="z", aspect="equal")
 figure.colorbar(image, ax=figure.axes, label="speed", shrink=0.6)
 axes = figure.add_subplot(grid[2, :])
@@ -47,5 +47,5 @@ for key in history[0]:
 for time in TIMES:
     axes.axvline(time, color="grey", linewidth=0.5)
 axes.set(xlabel="t", ylabel="flow rate into the box")
-axes.legend(loc="lower left")
-figure.savefig(picture, dpi=80)
+axes.legend(loc="center left", bbox_to_anchor=(1, 0.5))
+figure.savefig(picture, dpi=75)
