@@ -103,6 +103,14 @@ void print_springs(const CaseConfig& config, const DeformableBody& body, double 
              body.substeps && *body.substeps < needed ? " (as given; stability asks for more)" : "");
 }
 
+void print_patches(const CaseConfig& config, const Grid& grid) {
+  const auto signals = make_signals(config);
+  for (const auto& side : config.boundary)
+    if (const auto* patches = patches_of(side))
+      for (const auto& patch : make_flow_patches(*patches, grid, signals))
+        fmt::print("# patch {}: {} faces of the grid, area {:.6g}\n", patch.name, patch.faces.size(), patch.area);
+}
+
 void print_steps(const CaseConfig& config, const Grid& grid, const CheckedBodies& bodies) {
   const double viscous = viscous_step_limit(grid, config.fluid.viscosity / config.fluid.density, config.time.viscous);
   auto adaptive = config;
@@ -137,6 +145,7 @@ int check(const CheckArguments& arguments, const Communicator& communicator) {
   const auto bodies = make_bodies(config, grid);
   fmt::print("{}\n# --- The case is sound.\n", to_toml(config));
   print_memory(config, bodies, ranks);
+  print_patches(config, grid);
   print_steps(config, grid, bodies);
   for (std::size_t k = 0; k < bodies.kinds.size(); ++k)
     fmt::print("# {}\n", describe(bodies.kinds[k], bodies.copies[k]));

@@ -47,9 +47,10 @@ std::vector<FlowPatch> make_flow_patches(const std::vector<PatchConfig>& patches
         sum += patch.weights.back();
       }
     if (patch.faces.empty())
-      throw InputError(fmt::format("the patch \"{}\" holds the centre of no face of the grid; make it larger, or the grid "
-                                   "finer",
-                                   patch.name));
+      throw InputError(
+          fmt::format("the patch \"{}\" holds the centre of no face of the grid; make it larger, or the grid "
+                      "finer",
+                      patch.name));
     for (double& weight : patch.weights) weight /= sum * face;
     patch.area = static_cast<double>(patch.faces.size()) * face;
     made.push_back(std::move(patch));

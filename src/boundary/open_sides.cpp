@@ -22,6 +22,10 @@ double coordinate(const Grid& grid, int direction, int component, int n) {
 
 }  // namespace
 
+double OpenSides::towards(double old, double courant, double neighbour) {
+  return old - std::clamp(courant, 0.0, 1.0) * (old - neighbour);
+}
+
 OpenSides::OpenSides(const Grid& grid, const BoundaryConfig& boundary, const Signals& signals)
     : grid_(grid), boundary_(boundary) {
   const std::array<int, 3> n{grid.nx(), grid.ny(), grid.nz()};
@@ -47,12 +51,19 @@ OpenSides::OpenSides(const Grid& grid, const BoundaryConfig& boundary, const Sig
     if (inflow != nullptr && !inflow->signal.empty()) side.signal = make_signal_or_formula(inflow->signal, signals);
     if (has_patches) {
       side.patches = make_flow_patches(*patches, grid, signals);
-      side.rates.resize(side.patches.size());
       const FlowPatch* balance = side.balance_patch();
       side.area = balance != nullptr ? balance->area : 0;
       // A free-slip side slips in its patches too.
-      const bool slides = balance != nullptr && std::holds_alternative<WallSide>(spec);
+      const bool slides = std::holds_alternative<WallSide>(spec);
       side.varies = {slides, slides, true};
+      side.owners.assign(side.values[2].size(), -1);
+      for (std::size_t p = 0; p < side.patches.size(); ++p)
+        for (const auto& [i, j] : side.patches[p].faces) side.owners[side.index(i, j)] = static_cast<int>(p);
+      // Beyond a bounded edge there is no face, beyond a periodic one the first.
+      for (int j = 0; j < side.nb && grid.is_periodic(0); ++j)
+        side.owners[side.index(side.na, j)] = side.owners[side.index(0, j)];
+      for (int i = 0; i < side.na && grid.is_periodic(1); ++i)
+        side.owners[side.index(i, side.nb)] = side.owners[side.index(i, 0)];
     }
     sides_.push_back(std::move(side));
   }
@@ -111,8 +122,7 @@ void OpenSides::set_side(Side& side, const VelocityViews& velocity, double time,
 void OpenSides::set_inflow(Side& side, double time) const {
   const InflowSide& inflow = *side.inflow;
   const double phase = inflow.ramp > 0 ? std::clamp(time / inflow.ramp, 0.0, 1.0) : 1.0;
-  const double growth =
-      0.5 * (1 - std::cos(std::numbers::pi * phase)) * (side.signal ? side.signal->value(time) : 1.0);
+  const double growth = 0.5 * (1 - std::cos(std::numbers::pi * phase)) * (side.signal ? side.signal->value(time) : 1.0);
   const auto& directions = along[static_cast<std::size_t>(side.direction())];
   // Values at a boundary half a cell away enter its ghost twice.
   for (int c = 0; c < 3; ++c) {
@@ -150,70 +160,12 @@ void OpenSides::set_outflow(Side& side, const VelocityViews& velocity, double dt
     };
     for (int b = 0; b < side.nb; ++b)
       for (int a = 0; a < side.na; ++a) {
-        const double old = at(outer, a, b);
-        side.values[static_cast<std::size_t>(c)][side.index(a, b)] = old - courant * (old - at(inner, a, b));
+        side.values[static_cast<std::size_t>(c)][side.index(a, b)] = towards(at(outer, a, b), courant, at(inner, a, b));
       }
   };
   step(velocity.u, 0);
   step(velocity.v, 1);
   step(velocity.w, 2);
-}
-
-const FlowPatch* OpenSides::Side::balance_patch() const {
-  for (const auto& patch : patches)
-    if (patch.balances()) return &patch;
-  return nullptr;
-}
-
-void OpenSides::set_patches(Side& side, const VelocityViews& velocity, double time, double dt_alpha) const {
-  const FlowPatch* balance = side.balance_patch();
-  if (balance != nullptr && side.here) set_balance_patch(side, *balance, velocity, dt_alpha);
-  for (std::size_t p = 0; p < side.patches.size(); ++p) {
-    const FlowPatch& patch = side.patches[p];
-    if (patch.balances()) continue;
-    side.rates[p] = patch.flow_rate(time);
-    for (std::size_t n = 0; n < patch.faces.size(); ++n)
-      side.values[2][side.index(patch.faces[n][0], patch.faces[n][1])] =
-          -side.outwards() * side.rates[p] * patch.weights[n];
-  }
-}
-
-// While fluid leaves, on the whole, the patch is convective as an outflow side is: eddies pass. While fluid enters nothing
-// upstream could be carried there, and values kept as they were would come in as they left; so what comes in tends to a
-// plug with the wall's own tangential velocity, as fast as it comes. The two meet where nothing passes. The tangential
-// values are those of the wall itself, half a cell from the first nodes: the rule of a wall stays, and with it the implicit
-// solves.
-void OpenSides::set_balance_patch(Side& side, const FlowPatch& patch, const VelocityViews& velocity,
-                                  double dt_alpha) const {
-  const bool upper = side.number % 2 == 1, leaves = side.mean_outward > 0;
-  const int cell = upper ? grid_.nz() - 1 : 0, inner_face = upper ? grid_.nz() - 2 : 0;
-  const double cells = std::abs(side.mean_outward) * dt_alpha / grid_.dz_c()[cell];
-  const auto towards = [](double old, double courant, double target) {
-    return old - std::clamp(courant, 0.0, 1.0) * (old - target);
-  };
-  const double plug = side.outwards() * side.mean_outward;
-  for (const auto& [i, j] : patch.faces) {
-    double& w = side.values[2][side.index(i, j)];
-    w = towards(w, cells, leaves ? velocity.w(i, j, inner_face) : plug);
-  }
-  const auto* wall = std::get_if<WallSide>(&boundary_[static_cast<std::size_t>(side.number)]);
-  if (wall == nullptr) return;
-  std::vector<char> open(side.values[0].size());
-  for (const auto& [i, j] : patch.faces) open[side.index(i, j)] = 1;
-  const auto slide = [&](std::size_t c, const auto& field, int di, int dj) {
-    for (int j = 0; j < side.nb; ++j)
-      for (int i = 0; i < side.na; ++i) {
-        // A node between two faces; beyond a bounded edge there is no face, beyond a periodic one the first.
-        const int in = grid_.is_periodic(0) ? (i + di) % side.na : i + di;
-        const int jn = grid_.is_periodic(1) ? (j + dj) % side.nb : j + dj;
-        const double at_wall = wall->velocity[static_cast<int>(c)];
-        double& value = side.values[c][side.index(i, j)];
-        if (open[side.index(i, j)] == 0 || open[side.index(in, jn)] == 0) value = 2 * at_wall;
-        else value = 2 * towards(0.5 * value, 2 * cells, leaves ? field(i, j, cell) : at_wall);
-      }
-  };
-  slide(0, velocity.u, 1, 0);
-  slide(1, velocity.v, 0, 1);
 }
 
 // The values just beyond the edges of a side, for the corners of the ghosts: around a period, else as within.
@@ -277,61 +229,9 @@ void OpenSides::balance() {
     } else if (const FlowPatch* patch = side.balance_patch()) {
       for (const auto& [i, j] : patch->faces) side.values[2][side.index(i, j)] += side.outwards() * shift;
       extend(side);
-      double others = 0;
-      for (double rate : side.rates) others += rate;
-      side.mean_outward = (fluxes[s] + others) / side.area + shift;
+      side.mean_outward = (fluxes[s] + side.given) / side.area + shift;
     }
   }
-}
-
-std::vector<PatchFlowRate> OpenSides::patch_flow_rates() const {
-  std::vector<PatchFlowRate> rates;
-  for (const Side& side : sides_)
-    for (std::size_t p = 0; p < side.patches.size(); ++p) {
-      const FlowPatch& patch = side.patches[p];
-      rates.push_back({patch.name, patch.balances() ? 0 - side.mean_outward * side.area : side.rates[p]});
-    }
-  return rates;
-}
-
-double OpenSides::smallest_spacing(int direction) const {
-  return direction == 0 ? grid_.dx() : direction == 1 ? grid_.dy() : grid_.smallest_dz();
-}
-
-double OpenSides::largest_rate(double end) const {
-  constexpr int samples = 2000;
-  double longest = 0;
-  for (const Side& side : sides_) {
-    if (side.signal && side.signal->period()) longest = std::max(longest, *side.signal->period());
-    for (const auto& patch : side.patches)
-      if (patch.signal && patch.signal->period()) longest = std::max(longest, *patch.signal->period());
-  }
-  double largest = 0;
-  const auto sample = [&](double time) {
-    double net = 0;
-    for (const Side& side : sides_) {
-      if (side.signal) {
-        double rate = 0;
-        for (int d = 0; d < 3; ++d) rate += std::abs(side.inflow->velocity[d]) / smallest_spacing(d);
-        largest = std::max(largest, rate * std::abs(side.signal->value(time)));
-      }
-      const double dz = grid_.global_dz_c()[side.number % 2 == 0 ? 0 : grid_.cells()[2] - 1];
-      for (const auto& patch : side.patches) {
-        const double rate = patch.flow_rate(time);
-        net += rate;
-        largest = std::max(largest, std::abs(rate) * *std::max_element(patch.weights.begin(), patch.weights.end()) / dz);
-      }
-    }
-    for (const Side& side : sides_)
-      if (const FlowPatch* patch = side.balance_patch())
-        largest = std::max(largest, std::abs(net) / patch->area / smallest_spacing(2));
-  };
-  for (int n = 0; n <= samples; ++n) {
-    sample(end * n / samples);
-    // A run of many periods would step over their peaks.
-    if (longest > 0 && longest < end) sample(longest * n / samples);
-  }
-  return largest;
 }
 
 double OpenSides::net_outward_flux() const {

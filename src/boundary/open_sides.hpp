@@ -35,10 +35,11 @@ struct SideChanges {
 
 /// The values that vary along the sides through which fluid passes, for all three components.
 ///
-/// Inflow: the given profile times its ramp, 1/2 (1 - cos(pi t / ramp)), and its signal. Outflow: du/dt + U du/dn = 0 by one explicit upwind
-/// step a substep, U the mean velocity through the side; then the normal velocity of all outflow sides is shifted alike, so
-/// that the net flux through the box vanishes to round-off. Patches of a wall or free-slip side in z: the flow rate of the
-/// time, spread over the faces of the patch; the balance patch is an outflow of its own and takes the shift alone.
+/// Inflow: the given profile times its ramp, 1/2 (1 - cos(pi t / ramp)), and its signal. Outflow: du/dt + U du/dn = 0
+/// by one explicit upwind step a substep, U the mean velocity through the side; then the normal velocity of all outflow
+/// sides is shifted alike, so that the net flux through the box vanishes to round-off. Patches of a wall or free-slip
+/// side in z: the flow rate of the time, spread over the faces of the patch by its profile when it enters and
+/// convective when it leaves; the balance patch is an outflow of its own and takes the shift alone.
 class OpenSides {
  public:
   /// Throws InputError: a signal that is not known, a patch without faces.
@@ -56,9 +57,10 @@ class OpenSides {
 
   /// Net flux out of the box after the last start or advance, as summed over the faces. Collective.
   double net_outward_flux() const;
-  /// Of all patches, in the order of the case, after the last start or advance.
+  /// Of all patches, in the order of the case, summed over their faces after the last start or advance. Collective.
   std::vector<PatchFlowRate> patch_flow_rates() const;
-  /// The largest convective rate, velocity over spacing, that patches and inflows with a signal ask for until `end`.
+  /// The largest convective rate, velocity over spacing, that patches and inflows with a signal ask for until `end`
+  /// (sampled; of a balance patch a bound).
   double largest_rate(double end) const;
 
   /// All that an advance needs of those before it, in memory. Copies of one object fit each other.
@@ -84,12 +86,13 @@ class OpenSides {
     const InflowSide* inflow = nullptr;
     std::optional<Signal> signal;    ///< of the inflow
     std::vector<FlowPatch> patches;  ///< neither inflow nor patches: outflow
-    std::vector<double> rates;       ///< flow rates of the patches now
-    bool here = false;  ///< this rank's slab touches it
+    std::vector<int> owners;         ///< the patch at each face, -1: none; indexed as values
+    double given = 0;                ///< flow rate into the box of all patches but the one that balances
+    bool here = false;               ///< this rank's slab touches it
     int na = 0, nb = 0;
     std::ptrdiff_t stride = 0;
-    double area = 0;          ///< of the whole side, or of its balance patch
-    double mean_outward = 0;  ///< mean velocity out of the box through this area
+    double area = 0;                               ///< of the whole side, or of its balance patch
+    double mean_outward = 0;                       ///< mean velocity out of the box through this area
     std::array<bool, 3> varies{true, true, true};  ///< whether a component's rule takes its values from here
     std::array<std::vector<double>, 3> values, changes;
 
@@ -103,16 +106,28 @@ class OpenSides {
     }
   };
 
+  /// What passes a patch in a substep.
+  struct PatchMotion {
+    double rate = 0;   ///< into the box
+    double cells = 0;  ///< how far it goes, in cells across the side
+    bool leaves() const { return rate < 0; }
+  };
+
   void set_inflow(Side& side, double time) const;
   void set_outflow(Side& side, const VelocityViews& velocity, double dt_alpha) const;
   void set_patches(Side& side, const VelocityViews& velocity, double time, double dt_alpha) const;
-  void set_balance_patch(Side& side, const FlowPatch& patch, const VelocityViews& velocity, double dt_alpha) const;
+  void set_normal_values(Side& side, const FlowPatch& patch, const PatchMotion& motion, ConstView<FaceZ> w) const;
+  template <class Location>
+  void set_tangential_values(Side& side, const std::vector<PatchMotion>& motions, int component,
+                             ConstView<Location> field) const;
   void set_side(Side& side, const VelocityViews& velocity, double time, double dt_alpha) const;
   void extend(Side& side) const;
   void balance();
   double face_area(const Side& side, int b) const;
   std::vector<double> outward_fluxes() const;
   double smallest_spacing(int direction) const;
+  /// One upwind step from an old value towards the one next to it.
+  static double towards(double old, double courant, double neighbour);
 
   Grid grid_;
   BoundaryConfig boundary_;

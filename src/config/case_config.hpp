@@ -31,10 +31,10 @@ struct PatchConfig {
   std::string name;
   PatchShape shape = PatchShape::disc;
   std::array<double, 2> center{0, 0};
-  std::optional<double> radius;  ///< outside: of the hole; none: all that other patches leave
-  double inner_radius = 0;       ///< annulus
-  std::array<double, 2> size{0, 0};  ///< rectangle
-  std::string flow_rate;             ///< into the box: a signal's name or a formula of t
+  std::optional<double> radius;                ///< outside: of the hole; none: all that other patches leave
+  double inner_radius = 0;                     ///< annulus
+  std::array<double, 2> size{0, 0};            ///< rectangle
+  std::string flow_rate;                       ///< into the box: a signal's name or a formula of t
   std::optional<std::array<double, 2>> phase;  ///< part of the signal's period in which fluid passes
   PatchProfile profile = PatchProfile::uniform;
   bool balance = false;  ///< lets out what else comes in
@@ -52,7 +52,7 @@ enum class InflowProfile { uniform, parabolic };
 struct InflowSide {
   Vec3 velocity;  ///< must point into the box
   InflowProfile profile = InflowProfile::uniform;
-  double ramp = 0;  ///< time over which the velocity grows from 0; 0: at once
+  double ramp = 0;          ///< time over which the velocity grows from 0; 0: at once
   std::string signal = {};  ///< factor on the velocity: a signal's name or a formula of t; empty: 1
 };
 /// Convective outflow; all outflow sides together let out what comes in.

@@ -52,11 +52,11 @@ CaseKey side_velocity_key(int side) {
                                     return wall ? &wall->velocity : nullptr;
                                   });
   key.default_value = Json::array({0.0, 0.0, 0.0});
-  return only_when<CaseConfig>(
-      std::move(key), "the side's type is \"wall\" or \"inflow\"", [side](const CaseConfig& config) {
-        return std::holds_alternative<WallSide>(config.boundary[side]) ||
-               std::holds_alternative<InflowSide>(config.boundary[side]);
-      });
+  return only_when<CaseConfig>(std::move(key), "the side's type is \"wall\" or \"inflow\"",
+                               [side](const CaseConfig& config) {
+                                 return std::holds_alternative<WallSide>(config.boundary[side]) ||
+                                        std::holds_alternative<InflowSide>(config.boundary[side]);
+                               });
 }
 
 template <class Value>
@@ -192,10 +192,12 @@ void add_time(std::vector<CaseKey>& keys) {
   keys.push_back(make_key<CaseConfig>(
       {"time.max_steps", "", "the run ends after so many steps, if that is earlier"},
       [](auto& c) { return &c.time.max_steps; }, at_least(0)));
-  keys.push_back(instead_of(make_key<CaseConfig>(
-                                {"time.step", "time", "fixed time step, shortened only to hit the times of outputs; else the step follows cfl"},
-                                [](auto& c) { return &c.time.step; }, positive()),
-                            {"time.cfl", "time.max_step"}));
+  keys.push_back(
+      instead_of(make_key<CaseConfig>(
+                     {"time.step", "time",
+                      "fixed time step, shortened only to hit the times of outputs; else the step follows cfl"},
+                     [](auto& c) { return &c.time.step; }, positive()),
+                 {"time.cfl", "time.max_step"}));
   keys.push_back(only_when<CaseConfig>(
       make_key<CaseConfig>(
           {"time.cfl", "", "the step keeps the largest dt (u / dx + v / dy + w / dz) at this, by absolute values"},

@@ -94,8 +94,8 @@ std::vector<std::string> sides_named(std::string_view key) {
 
 KnownPaths KnownPaths::of_case() {
   auto known = known_paths(case_keys());
-  for (const auto* name : {"boundary.x", "boundary.y", "boundary.z", "body", "signals", "boundary.z-.patches",
-                           "boundary.z+.patches"})
+  for (const auto* name :
+       {"boundary.x", "boundary.y", "boundary.z", "body", "signals", "boundary.z-.patches", "boundary.z+.patches"})
     known.names.push_back(name);
   return known;
 }

@@ -23,8 +23,8 @@ void read_list(const toml::node& node, const std::string& side, const OriginOf& 
     const auto& element = *array->get(n);
     const auto* table = element.as_table();
     if (table == nullptr) {
-      problems.push_back(fmt::format("{}: {}[{}] must be a table; write {{ name = \"...\", ... }}", origin_of(element),
-                                     key, n));
+      problems.push_back(
+          fmt::format("{}: {}[{}] must be a table; write {{ name = \"...\", ... }}", origin_of(element), key, n));
       continue;
     }
     PatchScope patch;

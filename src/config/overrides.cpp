@@ -104,8 +104,8 @@ bool apply_to_patch(std::span<const std::string> parts, const toml::node& node, 
     lay_over(patch.scope, over, patch_keys());
     return true;
   }
-  document.problems.push_back(fmt::format("{}: there is no such patch; the case has: {}", origin_of(node),
-                                          known.empty() ? "none" : known));
+  document.problems.push_back(
+      fmt::format("{}: there is no such patch; the case has: {}", origin_of(node), known.empty() ? "none" : known));
   return true;
 }
 

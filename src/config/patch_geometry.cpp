@@ -18,9 +18,7 @@ std::array<double, 2> offset(const PatchConfig& patch, const PatchPlane& plane, 
   return d;
 }
 
-bool is_within(std::array<double, 2> d, double radius) {
-  return std::hypot(d[0], d[1]) < radius * (1 - tolerance);
-}
+bool is_within(std::array<double, 2> d, double radius) { return std::hypot(d[0], d[1]) < radius * (1 - tolerance); }
 }  // namespace
 
 std::vector<PatchConfig>* patches_of(BoundarySpec& side) {
@@ -72,7 +70,8 @@ std::vector<int> patch_of_faces(const std::vector<PatchConfig>& patches, const P
   const auto claim = [&](std::size_t p) {
     for (int j = 0; j < plane.cells[1]; ++j)
       for (int i = 0; i < plane.cells[0]; ++i) {
-        int& owner = owners[static_cast<std::size_t>(i) + static_cast<std::size_t>(j) * static_cast<std::size_t>(plane.cells[0])];
+        int& owner = owners[static_cast<std::size_t>(i) +
+                            static_cast<std::size_t>(j) * static_cast<std::size_t>(plane.cells[0])];
         if (owner < 0 && is_in_shape(patches[p], plane, plane.face_center(i, j))) owner = static_cast<int>(p);
       }
   };

@@ -28,22 +28,24 @@ std::vector<Key<PatchConfig>> patch_keys() {
   keys.push_back(make_key<PatchConfig>(
       {"shape", "", "outside: all of the side beyond the radius, or, without one, all that other patches leave"},
       [](auto& p) { return &p.shape; }));
-  keys.push_back(make_key<PatchConfig>({"center", "length", "of the patch, [x, y]"}, [](auto& p) { return &p.center; }));
+  keys.push_back(
+      make_key<PatchConfig>({"center", "length", "of the patch, [x, y]"}, [](auto& p) { return &p.center; }));
   keys.push_back(for_shapes(make_key<PatchConfig>(
                                 {"radius", "length", "of the disc, of the annulus without, of what is left out"},
                                 [](auto& p) { return &p.radius; }, positive()),
                             {disc, annulus, outside}));
   const auto without_default = [](PatchKey key) { return key.default_value = Json(), key; };
-  keys.push_back(for_shapes(without_default(make_key<PatchConfig>(
-                                {"inner_radius", "length", "of the annulus within"},
-                                [](auto& p) { return &p.inner_radius; }, positive())),
-                            {annulus}));
-  keys.push_back(for_shapes(without_default(make_key<PatchConfig>(
-                                {"size", "length", "of the rectangle along x and y"}, [](auto& p) { return &p.size; },
-                                positive())),
-                            {rectangle}));
-  auto rate = make_key<PatchConfig>({"flow_rate", "volume / time", "into the box: the name of a signal or a formula of t"},
-                                    [](auto& p) { return &p.flow_rate; });
+  keys.push_back(for_shapes(
+      without_default(make_key<PatchConfig>(
+          {"inner_radius", "length", "of the annulus within"}, [](auto& p) { return &p.inner_radius; }, positive())),
+      {annulus}));
+  keys.push_back(for_shapes(
+      without_default(make_key<PatchConfig>(
+          {"size", "length", "of the rectangle along x and y"}, [](auto& p) { return &p.size; }, positive())),
+      {rectangle}));
+  auto rate =
+      make_key<PatchConfig>({"flow_rate", "volume / time", "into the box: the name of a signal or a formula of t"},
+                            [](auto& p) { return &p.flow_rate; });
   rate.default_value = Json();
   rate.get = [](const PatchConfig& p) { return p.flow_rate.empty() ? Json() : Json(p.flow_rate); };
   keys.push_back(unless_balance(std::move(rate)));

@@ -48,9 +48,9 @@ class Reader {
       apply(signal_keys(), scope, config.signals[name]);
       if (!scope.find("table") && !scope.find("csv") && !scope.find("formula")) {
         suspect_.insert(key);
-        problems_.push_back(fmt::format(
-            "{}: {} has no values; give it table = [[t, v], ...], csv = \"FILE\" or formula = \"...\"", scope.origin,
-            key));
+        problems_.push_back(
+            fmt::format("{}: {} has no values; give it table = [[t, v], ...], csv = \"FILE\" or formula = \"...\"",
+                        scope.origin, key));
       }
     }
   }
@@ -65,9 +65,9 @@ class Reader {
       const bool forgiven = overridden_ && scope.origin.rfind("--set", 0) != 0;
       if (auto* patches = patches_of(config.boundary[at])) patches->push_back(std::move(patch));
       else if (!forgiven && suspect_.count("boundary." + side_names()[at] + ".type") == 0)
-        problems_.push_back(fmt::format(
-            "{}: {} is on a side of type \"{}\"; only \"wall\" and \"free-slip\" sides of z have patches", scope.origin,
-            key, boundary_word(config.boundary[at])));
+        problems_.push_back(
+            fmt::format("{}: {} is on a side of type \"{}\"; only \"wall\" and \"free-slip\" sides of z have patches",
+                        scope.origin, key, boundary_word(config.boundary[at])));
     }
   }
 

@@ -60,13 +60,15 @@ std::string case_reference() {
   text +=
       "\n## Patches of a side\n\nParts of the sides z- and z+, of type `wall` or `free-slip`, through which a given "
       "flow passes: a list of tables,\n`\"z+\" = { type = \"wall\", patches = [{ name = \"inlet\", radius = 0.5, "
-      "flow_rate = \"1\" }, ...] }`. What comes in goes out through\nthe patch with `balance = true` or through outflow "
+      "flow_rate = \"1\" }, ...] }`. What comes in goes out through\nthe patch with `balance = true` or through "
+      "outflow "
       "sides. On the command line: `--set boundary.z+.patches.inlet.radius=0.4`.\n[patches.md](patches.md) says "
       "more.\n\n" +
       table_head();
   for (const auto& key : patch_keys()) text += row(key, key.path);
   text +=
-      "\n## [signals.NAME]\n\nNumbers that vary in time, one of `table`, `csv` and `formula` each. Where a key asks for a "
+      "\n## [signals.NAME]\n\nNumbers that vary in time, one of `table`, `csv` and `formula` each. Where a key asks "
+      "for a "
       "signal, a formula may stand\nin its place.\n\n" +
       table_head();
   for (const auto& key : signal_keys()) text += row(key, key.path);

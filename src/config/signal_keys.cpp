@@ -27,10 +27,11 @@ std::vector<Key<SignalConfig>> signal_keys() {
       text_key({"csv", "", "a file with such a table: lines `t, v`; a header line and # comments are skipped"},
                &SignalConfig::csv),
       {"formula"}));
-  keys.push_back(text_key({"formula", "",
-                           "of t, such as `0.5*(1-cos(pi*t))`: arithmetic, `^`, comparisons, `a ? b : c`, pi, and sin, cos, tan, "
-                           "asin, acos, atan, sinh, cosh, tanh, exp, ln, log10, sqrt, abs, sign, rint, min, max"},
-                          &SignalConfig::formula));
+  keys.push_back(
+      text_key({"formula", "",
+                "of t, such as `0.5*(1-cos(pi*t))`: arithmetic, `^`, comparisons, `a ? b : c`, pi, and sin, cos, tan, "
+                "asin, acos, atan, sinh, cosh, tanh, exp, ln, log10, sqrt, abs, sign, rint, min, max"},
+               &SignalConfig::formula));
   keys.push_back(make_key<SignalConfig>(
       {"period", "time", "a table is repeated with it; a formula gets t modulo it"}, [](auto& s) { return &s.period; },
       positive()));

@@ -73,7 +73,8 @@ class Validator {
                  fmt::format("has the component {} along {}, which does not point into the box; it must be {} than 0",
                              inflow->velocity[d], name_of(d), side % 2 == 0 ? "greater" : "less"));
       if (!has_outflow)
-        complain(name + ".type", "is \"inflow\", but nothing lets the fluid out again; give another side type = \"outflow\", or a "
+        complain(name + ".type",
+                 "is \"inflow\", but nothing lets the fluid out again; give another side type = \"outflow\", or a "
                  "side of z a patch with balance = true");
     }
   }

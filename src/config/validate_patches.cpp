@@ -101,7 +101,8 @@ class PatchValidator {
     if (round && !patch.radius) complain(key, "has no radius");
     if (patch.shape == PatchShape::annulus && patch.inner_radius == 0) complain(key, "has no inner_radius");
     if (patch.shape == PatchShape::annulus && patch.radius && patch.inner_radius >= *patch.radius)
-      complain(key + ".inner_radius", fmt::format("is {}, not less than the radius {}", patch.inner_radius, *patch.radius));
+      complain(key + ".inner_radius",
+               fmt::format("is {}, not less than the radius {}", patch.inner_radius, *patch.radius));
     else if (patch.shape == PatchShape::annulus && patch.radius && *patch.radius - patch.inner_radius < cell)
       complain(key, fmt::format("is a ring {:.4g} wide, less than a cell ({:.4g}); make it wider, or the grid finer",
                                 *patch.radius - patch.inner_radius, cell));
@@ -109,8 +110,9 @@ class PatchValidator {
       if (patch.size[0] == 0) complain(key, "has no size");
       for (std::size_t d = 0; d < 2 && patch.size[0] > 0; ++d)
         if (patch.size[d] < plane_.spacing(d) * (1 - 1e-9))
-          complain(key + ".size", fmt::format("is {} along {}, less than a cell ({:.4g}); make it larger, or the grid finer",
-                                              patch.size[d], "xy"[d], plane_.spacing(d)));
+          complain(key + ".size",
+                   fmt::format("is {} along {}, less than a cell ({:.4g}); make it larger, or the grid finer",
+                               patch.size[d], "xy"[d], plane_.spacing(d)));
     }
     if (problems_.size() == before && patch.shape != PatchShape::outside) check_reach(key, patch);
     return problems_.size() == before;
@@ -126,8 +128,9 @@ class PatchValidator {
           complain(key, fmt::format("is {} long along {}, more than the periodic box ({})", 2 * half, "xy"[d],
                                     plane_.size[d]));
       } else if (lower < begin - slack || upper > end + slack) {
-        complain(key, fmt::format("reaches from {} to {} along {}, beyond the side ({} to {}); move it or make it smaller",
-                                  lower, upper, "xy"[d], begin, end));
+        complain(key,
+                 fmt::format("reaches from {} to {} along {}, beyond the side ({} to {}); move it or make it smaller",
+                             lower, upper, "xy"[d], begin, end));
       }
     }
   }
@@ -167,16 +170,18 @@ class PatchValidator {
       }
     }
     if (balances.empty() && !carriers.empty() && !has_outflow)
-      complain(carriers.front(),
-               "carries a flow, but nothing lets it out again; set balance = true on one patch, or give another side type "
-               "= \"outflow\"");
+      complain(
+          carriers.front(),
+          "carries a flow, but nothing lets it out again; set balance = true on one patch, or give another side type "
+          "= \"outflow\"");
     for (std::size_t n = 1; n < balances.size(); ++n)
-      complain(balances[n] + ".balance", fmt::format("is true, and so is {}.balance; only one patch can balance the flow",
-                                                     balances.front()));
+      complain(balances[n] + ".balance",
+               fmt::format("is true, and so is {}.balance; only one patch can balance the flow", balances.front()));
     if (!balances.empty() && has_outflow)
-      complain(balances.front() + ".balance",
-               "is true, but an outflow side balances the flow already; give the patch a flow_rate, or the side another "
-               "type");
+      complain(
+          balances.front() + ".balance",
+          "is true, but an outflow side balances the flow already; give the patch a flow_rate, or the side another "
+          "type");
   }
 
   const CaseConfig& config_;

@@ -149,8 +149,7 @@ struct ValueCodec<std::array<double, 2>> {
   static std::string type_name() { return "2 numbers"; }
   static std::string legal(const Limits& limits) { return TripleCodec<Pair, double>::legal(limits); }
   static std::optional<std::string> read(const Json& value, Pair& out, const Limits& limits) {
-    if (!value.is_array() || value.size() != 2)
-      return "must be an array of 2 numbers, not " + describe_value(value);
+    if (!value.is_array() || value.size() != 2) return "must be an array of 2 numbers, not " + describe_value(value);
     Pair result{};
     for (std::size_t d = 0; d < 2; ++d) {
       if (auto problem = ValueCodec<double>::read(value[d], result[d], limits))

@@ -77,7 +77,7 @@ class FlowSolver {
   bool has_open_sides() const;
   /// Net flux out of the box through its open sides. Collective.
   double net_outward_flux() const;
-  /// What flows into the box through the patches of its sides now, in the order of the case.
+  /// What flows into the box through the patches of its sides now, in the order of the case. Collective.
   std::vector<PatchFlowRate> patch_flow_rates() const;
   /// The largest convective rate that patches and inflows with a signal ask for until `end`; 0 if there are none.
   double largest_side_rate(double end) const;

@@ -27,8 +27,10 @@ Formula::Formula(const std::string& text) : parsed_(std::make_shared<Parsed>()) 
     constexpr double probe = 0.5;
     parsed_->t = probe;
     parser.Eval(results);
-    if (results != 1) throw InputError(fmt::format("the formula \"{}\" has {} results; it must have one", text, results));
-    if (parsed_->t != probe) throw InputError(fmt::format("the formula \"{}\" changes t; = is not a comparison, == is", text));
+    if (results != 1)
+      throw InputError(fmt::format("the formula \"{}\" has {} results; it must have one", text, results));
+    if (parsed_->t != probe)
+      throw InputError(fmt::format("the formula \"{}\" changes t; = is not a comparison, == is", text));
   } catch (const mu::ParserError& error) {
     const auto message = error.GetMsg();
     if (error.GetPos() < 0) throw InputError(fmt::format("the formula \"{}\" is wrong: {}", text, message));

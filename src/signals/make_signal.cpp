@@ -27,8 +27,8 @@ void check_times(const Table& table, const PlaceOf& place, std::vector<std::stri
 void check_period(const Table& table, double period, const PlaceOf& place, std::vector<std::string>& problems) {
   const double length = table.back()[0] - table.front()[0];
   if (length > period * (1 + 1e-9))
-    problems.push_back(fmt::format("{} is {}, shorter than the table, which runs from {} to {}", place("period"), period,
-                                   table.front()[0], table.back()[0]));
+    problems.push_back(fmt::format("{} is {}, shorter than the table, which runs from {} to {}", place("period"),
+                                   period, table.front()[0], table.back()[0]));
   else if (table.size() > 1 && length > period * (1 - 1e-9) && table.front()[1] != table.back()[1])
     problems.push_back(fmt::format("{} is {}, the length of the table, but its last value {} is not its first, {}",
                                    place("period"), period, table.back()[1], table.front()[1]));

@@ -28,9 +28,9 @@ Signal make_signal_or_formula(const std::string& text, const Signals& signals);
 /// The first of many samples over [0, end] at which a signal has no finite value, if there is one.
 std::optional<double> first_not_finite(const Signal& signal, double end);
 
-/// Everything that is wrong with the signals of a case and with the keys that name one: values that are not finite until
-/// the end of the run, unknown names, a phase of a signal without a period. Checks that rest on a key in `suspect` are
-/// skipped.
+/// Everything that is wrong with the signals of a case and with the keys that name one: values that are not finite
+/// until the end of the run, unknown names, a phase of a signal without a period. Checks that rest on a key in
+/// `suspect` are skipped.
 void check_signals(const CaseConfig& config, const std::set<std::string>& suspect, std::vector<std::string>& problems);
 
 }  // namespace pliant

@@ -57,7 +57,8 @@ double Pchip::value(double t) const {
   const auto k = static_cast<std::size_t>(std::upper_bound(t_.begin(), t_.end(), t) - t_.begin()) - 1;
   const double h = t_[k + 1] - t_[k], s = (t - t_[k]) / h, r = 1 - s;
   // Hermite's cubic, as a mean of the two values plus what the slopes add.
-  return r * r * (1 + 2 * s) * v_[k] + s * s * (1 + 2 * r) * v_[k + 1] + h * s * r * (r * slope_[k] - s * slope_[k + 1]);
+  return r * r * (1 + 2 * s) * v_[k] + s * s * (1 + 2 * r) * v_[k + 1] +
+         h * s * r * (r * slope_[k] - s * slope_[k + 1]);
 }
 
 }  // namespace pliant

@@ -1,3 +1,3 @@
-foreach(name taylor_green channel invariants cavity open_flow)
+foreach(name taylor_green channel invariants cavity open_flow patch_flow)
   pliant_test(${name}_test SOURCES ${CMAKE_CURRENT_LIST_DIR}/${name}_test.cpp LIBS pliant_flow)
 endforeach()

@@ -148,6 +148,66 @@ bad_case("body in a body", CASE + SPHERE + SPHERE.replace('"drop"', '"other"').r
 bad_command("mesh of a bad shape", ["mesh", "plate", "--size", "-1", "2", "-o", "/tmp/never.gts"], [r"size a = -1"])
 bad_command("mesh with unknown ends", ["mesh", "cylinder", "--ends", "shut", "-o", "/tmp/never.gts"], ["capped"])
 
+# Signals and patches
+PATCHES = """
+[box]
+size = [4, 4, 2]
+origin = [-2, -2, 0]
+cells = [20, 20, 8]
+[signals.beat]
+formula = "sin(2*pi*t)"
+period = 1.0
+[boundary]
+x = "wall"
+y = "wall"
+"z-" = "wall"
+[boundary."z+"]
+type = "wall"
+patches = [
+  { name = "in", center = [0.8, 0], radius = 0.7, flow_rate = "beat", phase = [0, 0.5] },
+  { name = "out", center = [-0.8, 0], radius = 0.7, balance = true },
+]
+[time]
+end = 0.05
+step = 0.01
+"""
+
+
+def sound_patches(folder):
+    write(folder, "case.toml", PATCHES)
+    result = harness.run("run", folder, "--out", os.path.join(folder, "out"), ranks=2)
+    expect(result.returncode == 0, "the sound case does not run", result)
+    with open(os.path.join(folder, "out", "history.csv")) as stream:
+        names, *lines = [line.strip().split(",") for line in stream]
+    last = dict(zip(names, map(float, lines[-1])))
+    expect(last["flow_in"] > 0.3 and abs(last["flow_in"] + last["flow_out"]) < 1e-14, "the patches do not balance: %s" % last)
+
+
+def bad_patches(name, old, new, patterns, **options):
+    bad_case("patches: " + name, PATCHES.replace(old, new), patterns, **options)
+
+
+harness.check("sound patches", sound_patches)
+bad_patches("unknown signal", 'flow_rate = "beat"', 'flow_rate = "baet"',
+            [r'case\.toml:16: boundary\.z\+\.patches\.in\.flow_rate "baet" is neither a signal \(the case has: beat\)'])
+bad_patches("bad formula", "sin(2*pi*t)", "sin(2*pi*t", [r"case\.toml:7: signals\.beat\.formula.*wrong at character \d+"])
+bad_patches("missing signal file", 'formula = "sin(2*pi*t)"', 'csv = "q.csv"', [r"signals\.beat\.csv.*q\.csv.*cannot be opened"],
+            command="run", ranks=2)
+bad_patches("phase without period", "period = 1.0", "", [r"patches\.in\.phase.*key period"])
+bad_patches("no balance", "balance = true", 'flow_rate = "1"', [r"patches\.in carries a flow, but nothing lets it out"])
+bad_patches("two balances", 'flow_rate = "beat", phase = [0, 0.5]', "balance = true", [r"patches\.out\.balance.*only one"])
+bad_patches("balance beside outflow", 'x = "wall"', 'x = "outflow"', [r"patches\.out\.balance.*outflow side"])
+bad_patches("overlap", "[0.8, 0]", "[0.2, 0]", [r'case\.toml:17: boundary\.z\+\.patches\.out overlaps with the patch "in"'])
+bad_patches("beyond the side", "[0.8, 0]", "[1.8, 0]", [r"patches\.in reaches from .* beyond the side"])
+bad_patches("smaller than a cell", "[0.8, 0], radius = 0.7", "[0.8, 0], radius = 0.05", [r"patches\.in covers 0 faces"])
+bad_patches("on an outflow side", 'type = "wall"', 'type = "outflow"', [r"patches\.in is on a side of type \"outflow\""])
+bad_patches("on a side of x", 'x = "wall"', '"x-" = { type = "wall", patches = [{ name = "a", radius = 1, flow_rate = "t" }] }\n"x+" = "wall"',
+            [r"boundary\.x- has patches, which only the sides"])
+bad_patches("inside out ring", "radius = 0.7, flow_rate", 'shape = "annulus", radius = 0.5, inner_radius = 0.6, flow_rate',
+            [r"patches\.in\.inner_radius is 0\.6, not less than the radius 0\.5"])
+bad_patches("many at once", 'radius = 0.7, flow_rate = "beat", phase = [0, 0.5]', 'radius = -1, flow_rate = "sin(", phase = [0.5, 2]',
+            [r"patches\.in\.radius", r"patches\.in\.flow_rate", r"patches\.in\.phase", "3 problems"])
+
 # Surfaces
 bad_surface("surface in two pieces", surfaces.two_pieces(), [r"drop\.gts: .* 2 closed pieces"])
 bad_surface("surface that crosses itself", surfaces.crossing_itself(), [r"body\.drop has a surface that crosses itself"])

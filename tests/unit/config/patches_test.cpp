@@ -38,7 +38,8 @@ patches = [
 )toml";
 
 /// A case with this list of patches on z+.
-std::string with_patches(const std::string& patches, const std::string& others = "x = \"wall\"\ny = \"wall\"\n\"z-\" = \"wall\"\n") {
+std::string with_patches(const std::string& patches,
+                         const std::string& others = "x = \"wall\"\ny = \"wall\"\n\"z-\" = \"wall\"\n") {
   return "[box]\nsize = [4, 4, 2]\norigin = [-2, -2, 0]\ncells = [40, 40, 10]\n[boundary]\n" + others +
          "\"z+\" = { type = \"wall\", patches = [" + patches + "] }\n";
 }
@@ -67,8 +68,8 @@ TEST(Patches, PrintOutReadsBackAsTheSameCase) {
 }
 
 TEST(Patches, CanBeOverridden) {
-  const auto config = read_text(ventricle, {"boundary.z+.patches.mitral.radius=0.4", "signals.mitral.scale=3",
-                                            "signals.beat.table=[[0, 1]]"});
+  const auto config = read_text(
+      ventricle, {"boundary.z+.patches.mitral.radius=0.4", "signals.mitral.scale=3", "signals.beat.table=[[0, 1]]"});
   EXPECT_EQ(std::get<WallSide>(config.boundary[5]).patches[0].radius, 0.4);
   EXPECT_EQ(config.signals.at("mitral").scale, 3);
   EXPECT_EQ(config.signals.at("beat").formula, "");
@@ -117,26 +118,32 @@ patches = [
 TEST(Patches, NeedOneThatBalances) {
   EXPECT_THAT(problems_of(with_patches(disc("in", "radius = 0.5"))),
               ElementsAre(AllOf(HasSubstr("boundary.z+.patches.in"), HasSubstr("nothing lets it out"))));
-  EXPECT_THAT(problems_of(with_patches(disc("in", "radius = 0.5"), "x = \"outflow\"\ny = \"wall\"\n\"z-\" = \"wall\"\n")),
-              IsEmpty());
+  EXPECT_THAT(
+      problems_of(with_patches(disc("in", "radius = 0.5"), "x = \"outflow\"\ny = \"wall\"\n\"z-\" = \"wall\"\n")),
+      IsEmpty());
   const std::string one = "{ name = \"a\", center = [1, 1], radius = 0.5, balance = true }";
   EXPECT_THAT(problems_of(with_patches(balance + "," + one)),
               ElementsAre(AllOf(HasSubstr("patches.a.balance"), HasSubstr("only one"))));
   EXPECT_THAT(problems_of(with_patches(balance, "x = \"outflow\"\ny = \"wall\"\n\"z-\" = \"wall\"\n")),
               ElementsAre(AllOf(HasSubstr("patches.out.balance"), HasSubstr("outflow side"))));
-  EXPECT_THAT(problems_of(with_patches(balance, "x = \"wall\"\ny = \"wall\"\n\"z-\" = { type = \"inflow\", velocity = [0, 0, 1] }\n")),
+  EXPECT_THAT(problems_of(with_patches(
+                  balance, "x = \"wall\"\ny = \"wall\"\n\"z-\" = { type = \"inflow\", velocity = [0, 0, 1] }\n")),
               IsEmpty());
 }
 
 TEST(Patches, AreRefusedWhereTheyCannotBe) {
   const auto problem = [](const std::string& rest) { return problems_of(with_patches(disc("in", rest) + balance)); };
   EXPECT_THAT(problem("center = [1, 1], radius = 0.5"), IsEmpty());
-  EXPECT_THAT(problem("center = [0.8, 0], radius = 0.5"), ElementsAre(AllOf(HasSubstr("overlaps"), HasSubstr("patches.out"))));
-  EXPECT_THAT(problem("center = [1.6, 1], radius = 0.5"), ElementsAre(AllOf(HasSubstr("patches.in"), HasSubstr("beyond the side"))));
+  EXPECT_THAT(problem("center = [0.8, 0], radius = 0.5"),
+              ElementsAre(AllOf(HasSubstr("overlaps"), HasSubstr("patches.out"))));
+  EXPECT_THAT(problem("center = [1.6, 1], radius = 0.5"),
+              ElementsAre(AllOf(HasSubstr("patches.in"), HasSubstr("beyond the side"))));
   EXPECT_THAT(problem("center = [1, 1], radius = 0.05"), ElementsAre(HasSubstr("needs at least 4")));
   EXPECT_THAT(problem("center = [1, 1]"), ElementsAre(HasSubstr("patches.in has no radius")));
-  EXPECT_THAT(problem("shape = \"annulus\", radius = 1, inner_radius = 1.1"), ElementsAre(HasSubstr("not less than the radius")));
-  EXPECT_THAT(problem("shape = \"annulus\", radius = 1.05, inner_radius = 1"), ElementsAre(HasSubstr("less than a cell")));
+  EXPECT_THAT(problem("shape = \"annulus\", radius = 1, inner_radius = 1.1"),
+              ElementsAre(HasSubstr("not less than the radius")));
+  EXPECT_THAT(problem("shape = \"annulus\", radius = 1.05, inner_radius = 1"),
+              ElementsAre(HasSubstr("less than a cell")));
   EXPECT_THAT(problem("shape = \"annulus\", radius = 1"), ElementsAre(HasSubstr("inner_radius")));
   EXPECT_THAT(problem("shape = \"annulus\", radius = 1, inner_radius = 0.5"), IsEmpty()) << "they touch";
   EXPECT_THAT(problem("shape = \"rectangle\", center = [1, 1], size = [0.5, 0.05]"), ElementsAre(HasSubstr("along y")));
@@ -144,7 +151,8 @@ TEST(Patches, AreRefusedWhereTheyCannotBe) {
   EXPECT_THAT(problem("shape = \"outside\", profile = \"parabolic\""), ElementsAre(HasSubstr("profile")));
   EXPECT_THAT(problem("shape = \"outside\", radius = 0.3"), ElementsAre(HasSubstr("overlaps")));
   EXPECT_THAT(problem("shape = \"outside\", radius = 2.9"), ElementsAre(HasSubstr("covers 0 faces")));
-  EXPECT_THAT(problem("center = [1, 1], radius = 0.5, phase = [0.5, 0.2]"), ElementsAre(HasSubstr("must end after it begins")));
+  EXPECT_THAT(problem("center = [1, 1], radius = 0.5, phase = [0.5, 0.2]"),
+              ElementsAre(HasSubstr("must end after it begins")));
   EXPECT_THAT(problems_of(with_patches("{ name = \"in\", center = [1, 1], radius = 0.5 }, " + balance)),
               ElementsAre(HasSubstr("has no flow_rate")));
   EXPECT_THAT(problems_of(with_patches(disc("out", "center = [1, 1], radius = 0.5") + balance)),
@@ -155,11 +163,15 @@ TEST(Patches, AreRefusedWhereTheyCannotBe) {
 
 TEST(Patches, LieOnWallsOfZ) {
   const auto on = [](const std::string& side, const std::string& type) {
-    return problems_of("[boundary]\nz = \"wall\"\n\"" + side + "\" = { type = \"" + type + "\", patches = [" + balance + "] }\n");
+    return problems_of("[boundary]\nz = \"wall\"\n\"" + side + "\" = { type = \"" + type + "\", patches = [" + balance +
+                       "] }\n");
   };
   EXPECT_THAT(on("x", "wall"), testing::Contains(AllOf(HasSubstr("boundary.x-"), HasSubstr("only the sides \"z-\""))));
-  EXPECT_THAT(problems_of("[box]\norigin = [-0.5, -0.5, 0]\n[boundary]\n\"z-\" = \"wall\"\n\"z+\" = { type = \"outflow\", patches = [" + disc("in", "radius = 0.3") + "] }\n"),
-              ElementsAre(AllOf(HasSubstr("boundary.z+.patches.in"), HasSubstr("type \"outflow\""))));
+  EXPECT_THAT(
+      problems_of(
+          "[box]\norigin = [-0.5, -0.5, 0]\n[boundary]\n\"z-\" = \"wall\"\n\"z+\" = { type = \"outflow\", patches = [" +
+          disc("in", "radius = 0.3") + "] }\n"),
+      ElementsAre(AllOf(HasSubstr("boundary.z+.patches.in"), HasSubstr("type \"outflow\""))));
 }
 
 TEST(PatchGeometry, ShapesThatTouchShareTheFacesOut) {

@@ -74,7 +74,8 @@ TEST(MakeSignal, NamesTheCharacterOfABadFormula) {
   EXPECT_THAT(problems_of(formula("2*x")), ElementsAre(AllOf(HasSubstr("character 3"), HasSubstr("x"))));
   EXPECT_THAT(problems_of(formula("t, 2")), ElementsAre(HasSubstr("2 results")));
   EXPECT_THAT(problems_of(formula("t = 2")), ElementsAre(HasSubstr("changes t")));
-  EXPECT_THAT(problems_of(formula("1/(t-0.25)", 1.0)), ElementsAre(AllOf(HasSubstr("no finite value"), HasSubstr("0.25"))));
+  EXPECT_THAT(problems_of(formula("1/(t-0.25)", 1.0)),
+              ElementsAre(AllOf(HasSubstr("no finite value"), HasSubstr("0.25"))));
   EXPECT_THAT(problems_of(formula("sqrt(0.5-t)", 0.5)), IsEmpty());
 }
 
@@ -104,8 +105,8 @@ TEST(MakeSignal, NamesTheLineOfABadFile) {
     config.csv = "q.csv";
     return problems_in([&] { make_signal(config, folder.path()); });
   };
-  EXPECT_THAT(problems("t,q\n0,1\n1\n2,x\n3,4,5\n"),
-              ElementsAre(AllOf(HasSubstr("csv"), HasSubstr("q.csv:3:")), HasSubstr("q.csv:4:"), HasSubstr("q.csv:5:")));
+  EXPECT_THAT(problems("t,q\n0,1\n1\n2,x\n3,4,5\n"), ElementsAre(AllOf(HasSubstr("csv"), HasSubstr("q.csv:3:")),
+                                                                 HasSubstr("q.csv:4:"), HasSubstr("q.csv:5:")));
   EXPECT_THAT(problems("0,1\n1,2\n1,3\n"), ElementsAre(AllOf(HasSubstr("q.csv:3:"), HasSubstr("not greater"))));
   EXPECT_THAT(problems("0,1\n1,nan\n"), ElementsAre(HasSubstr("q.csv:2:")));
   EXPECT_THAT(problems("t,q\nu,v\n"), ElementsAre(HasSubstr("q.csv:2:")));
@@ -149,13 +150,13 @@ TEST(CheckSignals, FindsAllThatIsWrongAtOnce) {
   config.boundary[0] = inflow;
   std::vector<std::string> problems;
   check_signals(config, {}, problems);
-  EXPECT_THAT(problems,
-              testing::UnorderedElementsAre(
-                  AllOf(HasSubstr("signals.broken.formula"), HasSubstr("character")),
-                  AllOf(HasSubstr("signals.late has no finite value at t = 1.001")), HasSubstr("signals.t cannot be told"),
-                  AllOf(HasSubstr("boundary.z-.patches.p1.flow_rate"), HasSubstr("neither a signal")),
-                  AllOf(HasSubstr("boundary.z-.patches.p3.phase"), HasSubstr("has none")),
-                  HasSubstr("boundary.x-.signal")));
+  EXPECT_THAT(
+      problems,
+      testing::UnorderedElementsAre(
+          AllOf(HasSubstr("signals.broken.formula"), HasSubstr("character")),
+          AllOf(HasSubstr("signals.late has no finite value at t = 1.001")), HasSubstr("signals.t cannot be told"),
+          AllOf(HasSubstr("boundary.z-.patches.p1.flow_rate"), HasSubstr("neither a signal")),
+          AllOf(HasSubstr("boundary.z-.patches.p3.phase"), HasSubstr("has none")), HasSubstr("boundary.x-.signal")));
 }
 
 }  // namespace

@@ -92,7 +92,8 @@ TEST(Pchip, ConvergesForSmoothCurves) {
     for (int k = 0; k < n; ++k) points.push_back({1.0 * k / n, std::sin(2 * pi * k / n)});
     const Pchip curve(points, 1.0);
     double worst = 0;
-    for (int k = 0; k < 1000; ++k) worst = std::max(worst, std::abs(curve.value(k / 1000.0) - std::sin(2 * pi * k / 1000)));
+    for (int k = 0; k < 1000; ++k)
+      worst = std::max(worst, std::abs(curve.value(k / 1000.0) - std::sin(2 * pi * k / 1000)));
     return worst;
   };
   EXPECT_GT(error(20) / error(40), 3.5) << "at least of second order: it is of first order in slope at extrema";
