@@ -12,8 +12,8 @@ struct MemoryEstimate {
   int planes = 0;               ///< of that rank
 };
 
-/// Memory of the flow solver, and of the state kept for checkpoints, on the fullest of `ranks` ranks. Small boxes are built and extrapolated to the true
-/// numbers of cells, so that a large case can be checked on a small machine.
+/// Memory of the flow solver, and of the state kept for checkpoints, on the fullest of `ranks` ranks. Small boxes are
+/// built and extrapolated to the true numbers of cells, so that a large case can be checked on a small machine.
 MemoryEstimate estimate_memory(const CaseConfig& config, int ranks);
 
 /// Memory of a body on every rank, roughly.
