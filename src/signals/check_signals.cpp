@@ -27,6 +27,7 @@ class SignalValidator {
       for (const auto& patch : *patches)
         if (!patch.balance && !patch.flow_rate.empty()) check_patch(patch_key(side, patch), patch);
     }
+    for (const auto& body : config_.bodies) check_path(body);
   }
 
  private:
@@ -54,6 +55,13 @@ class SignalValidator {
     } catch (const InputError& error) {
       problems_.insert(problems_.end(), error.problems().begin(), error.problems().end());
     }
+  }
+
+  void check_path(const BodyConfig& body) {
+    if (body.motion != MotionKind::prescribed) return;
+    const auto& path = body.path;
+    for (const auto& [name, text] : {std::pair("x", path.x), {"y", path.y}, {"z", path.z}, {"angle", path.angle}})
+      if (!text.empty()) check_use("body." + body.name + ".path." + name, text);
   }
 
   void check_patch(const std::string& key, const PatchConfig& patch) {

@@ -47,10 +47,16 @@ std::string say(const std::map<std::string, Json>& values, const std::string& ke
 Json case_identity(const CaseConfig& config) {
   std::map<std::string, Json> flat;
   flatten(resolved_case(config), "", flat);
-  for (const auto& body : config.bodies)
-    if (const auto* surface = std::get_if<FileSurface>(&body.surface))
-      flat["body." + body.name + ".surface.file (checksum of its contents)"] =
-          checksum_of_file(config.folder / surface->file);
+  const auto add_file = [&](const std::string& key, const std::filesystem::path& file) {
+    flat[key + " (checksum of its contents)"] = checksum_of_file(config.folder / file);
+  };
+  for (const auto& body : config.bodies) {
+    const auto key = "body." + body.name;
+    if (const auto* surface = std::get_if<FileSurface>(&body.surface)) add_file(key + ".surface.file", surface->file);
+    if (const auto& positions = body.placement.positions) add_file(key + ".positions", *positions);
+  }
+  for (const auto& [name, signal] : config.signals)
+    if (!signal.csv.empty()) add_file("signals." + name + ".csv", signal.csv);
   return flat;
 }
 
