@@ -6,6 +6,7 @@
 
 #include "config/word.hpp"
 #include "mesh/geometry.hpp"
+#include "structure/placement.hpp"
 
 namespace pliant {
 
@@ -16,9 +17,11 @@ double added_mass_ratio(const BodyKind& kind, double fluid_density) {
   const double area = total_area(mesh, positions);
   const double added = 0.5 * fluid_density * (kind.is_closed() ? kind.displaced.volume : area * std::sqrt(area));
   if (kind.config.motion == MotionKind::rigid) return added / (kind.rigid.mass);
-  // The added mass spread over the surface, about the axis.
+  // The added mass spread over the surface, about the axis; the surface is where the prototype is, the hinge in the
+  // box.
   const auto areas = vertex_areas(mesh, positions);
-  const Vec3 axis = normalized(kind.hinge.axis), point = kind.hinge.point - kind.config.center;
+  const Mat3 back = rotation_about(kind.config.rotation.axis, -kind.config.rotation.angle);
+  const Vec3 axis = normalized(back * kind.hinge.axis), point = back * (kind.hinge.point - kind.config.center);
   double squares = 0;
   for (std::size_t v = 0; v < areas.size(); ++v) {
     const Vec3 arm = cross(axis, positions[v] - point);

@@ -48,25 +48,4 @@ void require_finite(const Body& body) {
                   body.name()));
 }
 
-bool is_swinging_up(Body& body) {
-  constexpr int too_many = 12;
-  constexpr double growth = 1.02;
-  auto& swing = body.swing;
-  const Vec3 a = body.acceleration.linear;
-  const double size = norm(a);
-  const bool reverses = dot(a, swing.last_direction) < -0.5 * size * norm(swing.last_direction);
-  swing.swings = reverses && size > growth * swing.last_size ? swing.swings + 1 : 0;
-  swing.last_size = size;
-  swing.last_direction = a;
-  return swing.swings >= too_many;
-}
-
-std::string explain_swing(const Body& body, const BodyKind& kind) {
-  return fmt::format(
-      "body '{}': its acceleration has changed sign in each of the last {} steps and grown every time, to {:.3g}: "
-      "loose "
-      "coupling is unstable for a body this light (added mass about {:.2g} of its own); use coupling = \"strong\"",
-      body.name(), body.swing.swings, body.swing.last_size, kind.added_mass_ratio);
-}
-
 }  // namespace pliant

@@ -23,11 +23,4 @@ void advance_free(Body& body, const BodyKind& kind, const RigidLoad& load, doubl
 /// Throws RunError that names the body if its state is not finite.
 void require_finite(const Body& body);
 
-/// Counts accelerations that change sign and grow. True once there were so many in a row that loose coupling must be
-/// called unstable.
-bool is_swinging_up(Body& body);
-
-/// What to tell of such a body.
-std::string explain_swing(const Body& body, const BodyKind& kind);
-
 }  // namespace pliant

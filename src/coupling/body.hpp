@@ -48,11 +48,13 @@ struct BodyLoads {
   RigidLoad contact;   ///< repulsion
 };
 
-/// Signs of an instability of loose coupling: accelerations that change sign and grow.
+/// Signs of an instability of loose coupling: accelerations that change sign from step to step, and grow.
 struct SwingCount {
-  double last_size = 0;
-  Vec3 last_direction;
-  int swings = 0;
+  Vec3 last;
+  double largest = 0, largest_before = 0;  ///< size, in the present window of steps and in the one before
+  int steps = 0, reversals = 0;            ///< in the present window
+  int windows = 0;                         ///< in a row that swung and grew
+  double largest_at_first = 0;             ///< in the window before these
 };
 
 /// One body of a run, held by the rank that computes it.
@@ -69,11 +71,11 @@ struct Body {
   double hinge_acceleration = 0;
   RigidState told, told_before;  ///< pose and motion that the flow was last told, and in the step before
   BodyLoads loads;
-  std::vector<double> scheme;  ///< what the strong scheme remembers from step to step
-  SwingCount swing;
-  Slip slip;            ///< found with the diagnostics
-  ProbeLoads stresses;  ///< the same
-  SurfaceSites sites;   ///< where the stresses are
+  std::vector<double> scheme;       ///< what the strong scheme remembers from step to step
+  SwingCount swing, turning_swing;  ///< of the linear and of the angular acceleration
+  Slip slip;                        ///< found with the diagnostics
+  ProbeLoads stresses;              ///< the same
+  SurfaceSites sites;               ///< where the stresses are
 
   const std::string& name() const { return surface.name; }
 };

@@ -16,9 +16,12 @@ struct StrongReport {
 ///
 /// One iteration maps the motion y that the flow is told to the image G(y):
 /// - aitken: Newton's law over the step under the load that this motion causes (backward in the load);
-/// - hamming: the corrector of Hamming's method with the accelerations that this motion causes.
-/// Both relax towards the fixed point y = G(y) with Aitken's factor. Fixed points hold bodies of any mass ratio;
-/// Hamming's formula itself rings from an added mass of 7/9 of the body's own on.
+/// - hamming: the corrector of Hamming's method with the accelerations that this motion causes, after the estimated
+/// added
+///   mass has been taken out of the load and put to the body (else it would ring from 7/9 of the body's own mass on).
+/// Both relax towards the fixed point y = G(y) with Aitken's factor. Fixed points hold bodies of any mass ratio,
+/// Hamming's formula as long as the estimate, or the virtual mass or inertia if that is more, is not less than half the
+/// true one.
 class StrongCoupling {
  public:
   StrongCoupling(const Communicator& ranks, const CouplingConfig& settings);

@@ -9,6 +9,7 @@ namespace pliant {
 namespace {
 
 constexpr std::size_t n_rigid_velocities = 6, n_hinge_velocities = 1;
+constexpr std::size_t first_velocity_of_vector = 7;  // of a rigid body, pack()
 
 bool is_rigid(const BodyKind& kind) { return kind.config.motion == MotionKind::rigid; }
 
@@ -16,19 +17,32 @@ std::span<const double> part(std::span<const double> all, std::size_t begin, std
   return all.subspan(begin, size);
 }
 
-double extent_of(const BodyKind& kind) {
+/// Turns rates of rotation into velocities: a hinge turns about its axis, a rigid body about its centre.
+double extent_of(const Body& body, const BodyKind& kind) {
   double largest = 0;
   for (const Vec3& x : kind.reference) largest = std::max(largest, norm(x));
-  return largest;
+  if (is_rigid(kind)) return largest;
+  return largest + norm(cross(kind.hinge.axis, body.start - kind.hinge.point));
 }
 
 void write(Vec3 v, std::span<double> to) { to[0] = v.x, to[1] = v.y, to[2] = v.z; }
 Vec3 read(std::span<const double> from) { return {from[0], from[1], from[2]}; }
 
+bool is_at_stop(const HingeModel& hinge, double angle) { return angle <= hinge.min_angle || angle >= hinge.max_angle; }
+
+/// What is not a number is not lost in this comparison.
+double larger(double a, double b) { return b <= a ? a : b; }
+
+/// What the hinge makes of a step under the torque of the flow.
+HingeState after_step(HingeModel hinge, HingeState state, double torque, double step, double& acceleration) {
+  hinge.virtual_inertia = 0;
+  advance_hinge(state, acceleration, hinge, torque, step);
+  return state;
+}
+
 }  // namespace
 
-StrongUnknowns::StrongUnknowns(CoupledFlow& coupled, double step)
-    : coupled_(coupled), step_(step), scheme_(coupled.settings().scheme) {
+StrongUnknowns::StrongUnknowns(CoupledFlow& coupled, double step) : coupled_(coupled), step_(step) {
   for (Body& body : coupled.bodies().own()) {
     const auto& kind = coupled.bodies().kind_of(body);
     if (kind.coupling != CouplingKind::strong) continue;
@@ -36,47 +50,65 @@ StrongUnknowns::StrongUnknowns(CoupledFlow& coupled, double step)
     item.body = &body;
     item.kind = &kind;
     item.begin = values_.size();
-    item.extent = extent_of(kind);
+    item.extent = extent_of(body, kind);
     item.start = body.pose;
     item.start_acceleration = body.acceleration;
     item.start_hinge = body.hinge;
     item.start_hinge_acceleration = body.hinge_acceleration;
-    const bool hamming = scheme_ == StrongScheme::hamming;
-    item.size = is_rigid(kind) ? (hamming ? rigid_vector_size : n_rigid_velocities)
-                               : (hamming ? hinge_vector_size : n_hinge_velocities);
-    values_.resize(values_.size() + item.size);
+    item.scheme = coupled.settings().scheme;
     guess(item);
     items_.push_back(std::move(item));
   }
 }
 
 void StrongUnknowns::guess(Item& item) {
+  if (item.scheme == StrongScheme::hamming) guess_by_hamming(item);
+  if (item.scheme == StrongScheme::aitken) guess_by_newton(item);
+}
+
+void StrongUnknowns::guess_by_newton(Item& item) {
+  item.size = is_rigid(*item.kind) ? n_rigid_velocities : n_hinge_velocities;
+  values_.resize(item.begin + item.size);
   const auto values = std::span(values_).subspan(item.begin, item.size);
-  const Body& body = *item.body;
-  if (scheme_ == StrongScheme::hamming) {
-    std::vector<double> y(item.size), f(item.size);
-    if (is_rigid(*item.kind)) {
-      pack(item.start, y);
-      pack_rates(item.start, item.start_acceleration, f);
-    } else {
-      pack(item.start_hinge, y);
-      pack_rates(item.start_hinge, item.start_hinge_acceleration, f);
-    }
-    // A body that something else has moved begins anew.
-    const std::span<const double> kept = body.scheme;
-    const bool continues =
-        kept.size() > y.size() && std::equal(y.begin(), y.end(), kept.end() - static_cast<std::ptrdiff_t>(y.size()));
-    item.hamming = continues ? Hamming::from_state(kept.first(kept.size() - y.size())) : Hamming(y, f);
-    const auto predicted = item.hamming.predict(step_);
-    std::copy(predicted.begin(), predicted.end(), values.begin());
-    return;
-  }
   if (is_rigid(*item.kind)) {
     write(item.start.velocity + step_ * item.start_acceleration.linear, values.subspan(0, 3));
     write(item.start.angular_velocity + step_ * item.start_acceleration.angular, values.subspan(3, 3));
-  } else {
-    values[0] = item.start_hinge.rate + step_ * item.start_hinge_acceleration;
+    return;
   }
+  // The torque of the step before, if there is one.
+  const auto& hinge = item.kind->hinge;
+  const double torque = torque_about_axis(hinge, coupled_.load_on(*item.body), item.start.center);
+  values[0] = item.start_hinge.rate + (std::isfinite(torque) ? step_ * torque / hinge.inertia : 0.0);
+}
+
+// Changes the item's scheme where Hamming's formulas do not hold.
+void StrongUnknowns::guess_by_hamming(Item& item) {
+  const Body& body = *item.body;
+  std::vector<double> y(is_rigid(*item.kind) ? rigid_vector_size : hinge_vector_size), f(y.size());
+  if (is_rigid(*item.kind)) {
+    pack(item.start, y);
+    pack_rates(item.start, item.start_acceleration, f);
+  } else {
+    pack(item.start_hinge, y);
+    pack_rates(item.start_hinge, item.start_hinge_acceleration, f);
+  }
+  // A body that something else has moved begins anew.
+  const std::span<const double> kept = body.scheme;
+  const bool continues =
+      kept.size() > y.size() && std::equal(y.begin(), y.end(), kept.end() - static_cast<std::ptrdiff_t>(y.size()));
+  item.hamming = continues ? Hamming::from_state(kept.first(kept.size() - y.size())) : Hamming(y, f);
+  const auto predicted = item.hamming.predict(step_);
+  if (!is_rigid(*item.kind)) {
+    const auto& [angle, rate] = item.start_hinge;
+    const auto& hinge = item.kind->hinge;
+    const double far = angle + 2 * step_ * rate;
+    if (is_at_stop(hinge, angle) || is_at_stop(hinge, far) || is_at_stop(hinge, predicted[0])) {
+      item.scheme = StrongScheme::aitken;
+      return;
+    }
+  }
+  item.size = y.size();
+  values_.insert(values_.end(), predicted.begin(), predicted.end());
 }
 
 // Places by the mean of the velocities at both ends.
@@ -84,36 +116,41 @@ void StrongUnknowns::set_from_velocities(Item& item) {
   const auto values = part(values_, item.begin, item.size);
   Body& body = *item.body;
   const double inverse = 1 / step_;
-  if (is_rigid(*item.kind)) {
-    RigidState end = item.start;
-    end.velocity = read(values.subspan(0, 3));
-    end.angular_velocity = read(values.subspan(3, 3));
-    end.center += 0.5 * step_ * (item.start.velocity + end.velocity);
-    const Vec3 turn = 0.5 * step_ * (item.start.angular_velocity + end.angular_velocity);
-    end.orientation = normalized(from_rotation_vector(turn) * item.start.orientation);
-    body.acceleration = {inverse * (end.velocity - item.start.velocity),
-                         inverse * (end.angular_velocity - item.start.angular_velocity)};
-    body.pose = end;
-  } else {
-    const auto& hinge = item.kind->hinge;
-    const double angle = item.start_hinge.angle + 0.5 * step_ * (item.start_hinge.rate + values[0]);
-    body.hinge = {std::clamp(angle, hinge.min_angle, hinge.max_angle), values[0]};
-    body.hinge_acceleration = inverse * (values[0] - item.start_hinge.rate);
-  }
+  RigidState end = item.start;
+  end.velocity = read(values.subspan(0, 3));
+  end.angular_velocity = read(values.subspan(3, 3));
+  end.center += 0.5 * step_ * (item.start.velocity + end.velocity);
+  const Vec3 turn = 0.5 * step_ * (item.start.angular_velocity + end.angular_velocity);
+  end.orientation = normalized(from_rotation_vector(turn) * item.start.orientation);
+  body.acceleration = {inverse * (end.velocity - item.start.velocity),
+                       inverse * (end.angular_velocity - item.start.angular_velocity)};
+  body.pose = end;
+}
+
+double StrongUnknowns::told_torque(const Item& item) const {
+  return (values_[item.begin] - item.start_hinge.rate) * item.kind->hinge.inertia / step_;
+}
+
+void StrongUnknowns::set_hinge_from_torque(Item& item) {
+  Body& body = *item.body;
+  body.hinge = after_step(item.kind->hinge, item.start_hinge, told_torque(item), step_, body.hinge_acceleration);
 }
 
 void StrongUnknowns::apply() {
   for (Item& item : items_) {
     Body& body = *item.body;
-    if (scheme_ == StrongScheme::aitken) {
-      set_from_velocities(item);
-    } else if (is_rigid(*item.kind)) {
-      body.pose = unpack_rigid(part(values_, item.begin, item.size));
+    const bool hamming = item.scheme == StrongScheme::hamming;
+    const auto values = part(values_, item.begin, item.size);
+    if (is_rigid(*item.kind)) {
+      if (hamming) body.pose = unpack_rigid(values);
+      else set_from_velocities(item);
     } else {
-      body.hinge = unpack_hinge(part(values_, item.begin, item.size));
-      body.hinge.angle = std::clamp(body.hinge.angle, item.kind->hinge.min_angle, item.kind->hinge.max_angle);
-    }
-    if (!is_rigid(*item.kind)) {
+      if (hamming) {
+        body.hinge = unpack_hinge(values);
+        body.hinge.angle = std::clamp(body.hinge.angle, item.kind->hinge.min_angle, item.kind->hinge.max_angle);
+      } else {
+        set_hinge_from_torque(item);
+      }
       body.pose = hinged_pose(body, *item.kind);
       body.acceleration = acceleration_of(item.kind->hinge, body.hinge, body.hinge_acceleration, body.start);
     }
@@ -122,41 +159,53 @@ void StrongUnknowns::apply() {
   }
 }
 
+// Virtual terms act on the change between iterations and vanish as these agree.
 void StrongUnknowns::image_by_newton(Item& item, const RigidLoad& load, std::span<double> image) {
   const Body& body = *item.body;
   if (is_rigid(*item.kind)) {
     RigidState end = item.start;
-    // Virtual terms act on the change between iterations and vanish as these agree.
     RigidAcceleration acceleration = body.acceleration;
     advance_rigid(end, acceleration, item.kind->rigid, load, step_);
     write(end.velocity, image.subspan(0, 3));
     write(end.angular_velocity, image.subspan(3, 3));
     return;
   }
-  HingeState end = item.start_hinge;
-  double acceleration = body.hinge_acceleration;
-  advance_hinge(end, acceleration, item.kind->hinge, torque_about_axis(item.kind->hinge, load, body.pose.center),
-                step_);
-  image[0] = end.rate;
+  const auto& hinge = item.kind->hinge;
+  const double torque = torque_about_axis(hinge, load, body.pose.center);
+  double acceleration = 0;
+  item.hinge_image = after_step(hinge, item.start_hinge, torque, step_, acceleration);
+  image[0] = values_[item.begin] + step_ * (torque - told_torque(item)) / (hinge.inertia + hinge.virtual_inertia);
 }
 
+// The load holds the reaction of the fluid that moves along, to the mean acceleration of the step, where the formulas
+// take rates at its end: with an added mass beyond 7/9 of the body's own that alone would ring. So as much of it as is
+// known is taken out of the load and put to the body's own mass.
 void StrongUnknowns::image_by_hamming(Item& item, const RigidLoad& load, std::span<double> image) {
   Body& body = *item.body;
+  const auto& kind = *item.kind;
   std::vector<double> rates(item.size);
-  if (is_rigid(*item.kind)) {
-    body.acceleration = rigid_acceleration(item.kind->rigid, body.pose, load);
+  if (is_rigid(kind)) {
+    RigidModel model = kind.rigid;
+    const double mass = std::max(model.virtual_mass, kind.added_mass_ratio * model.mass),
+                 inertia = model.virtual_inertia;
+    RigidLoad free = load;
+    free.force += (mass / step_) * (body.pose.velocity - item.start.velocity);
+    free.torque += (inertia / step_) * (body.pose.angular_velocity - item.start.angular_velocity);
+    model.mass += mass;
+    for (int d = 0; d < 3; ++d) model.inertia[d][d] += inertia;
+    body.acceleration = rigid_acceleration(model, body.pose, free);
     pack_rates(body.pose, body.acceleration, rates);
   } else {
-    const double torque = torque_about_axis(item.kind->hinge, load, body.pose.center);
-    body.hinge_acceleration = hinge_acceleration(item.kind->hinge, body.hinge, torque);
+    HingeModel model = kind.hinge;
+    const double inertia = std::max(model.virtual_inertia, kind.added_mass_ratio * model.inertia);
+    const double torque = torque_about_axis(model, load, body.pose.center);
+    model.inertia += inertia;
+    body.hinge_acceleration =
+        hinge_acceleration(model, body.hinge, torque + inertia * (body.hinge.rate - item.start_hinge.rate) / step_);
     pack_rates(body.hinge, body.hinge_acceleration, rates);
   }
   const auto corrected = item.hamming.correct(rates);
   std::copy(corrected.begin(), corrected.end(), image.begin());
-  if (is_rigid(*item.kind)) return;
-  const auto& hinge = item.kind->hinge;
-  if (image[0] <= hinge.min_angle && image[1] < 0) image[0] = hinge.min_angle, image[1] = -hinge.restitution * image[1];
-  if (image[0] >= hinge.max_angle && image[1] > 0) image[0] = hinge.max_angle, image[1] = -hinge.restitution * image[1];
 }
 
 std::vector<double> StrongUnknowns::image() {
@@ -164,59 +213,78 @@ std::vector<double> StrongUnknowns::image() {
   for (Item& item : items_) {
     const auto of_item = std::span(image).subspan(item.begin, item.size);
     const auto load = coupled_.load_on(*item.body);
-    if (scheme_ == StrongScheme::hamming) image_by_hamming(item, load, of_item);
+    if (item.scheme == StrongScheme::hamming) image_by_hamming(item, load, of_item);
     else image_by_newton(item, load, of_item);
   }
   return image;
 }
 
-// visit(index, factor): where a velocity stands and what turns it into one of the surface.
-template <class Visit>
-void StrongUnknowns::for_each_velocity(const Item& item, Visit visit) const {
-  const bool hamming = scheme_ == StrongScheme::hamming;
+double StrongUnknowns::largest_change(const Item& item, std::span<const double> image) const {
+  const auto change = [&](std::size_t n) { return std::abs(image[item.begin + n] - values_[item.begin + n]); };
+  const bool hamming = item.scheme == StrongScheme::hamming;
   if (!is_rigid(*item.kind)) {
-    visit(item.begin + (hamming ? 1 : 0), item.extent);
-    return;
+    if (hamming) return item.extent * change(1);
+    const auto& [angle, rate] = item.body->hinge;
+    return item.extent *
+           larger(std::abs(item.hinge_image.rate - rate), std::abs(item.hinge_image.angle - angle) / step_);
   }
-  const std::size_t first = item.begin + (hamming ? 7 : 0);
-  for (std::size_t n = 0; n < n_rigid_velocities; ++n) visit(first + n, n < 3 ? 1.0 : item.extent);
+  const std::size_t first = hamming ? first_velocity_of_vector : 0;
+  double largest = 0;
+  for (std::size_t n = 0; n < n_rigid_velocities; ++n)
+    largest = larger(largest, (n < 3 ? 1.0 : item.extent) * change(first + n));
+  return largest;
 }
 
 double StrongUnknowns::largest_change(std::span<const double> image) const {
   double largest = 0;
-  for (const Item& item : items_)
-    for_each_velocity(item, [&](std::size_t n, double factor) {
-      const double change = factor * std::abs(image[n] - values_[n]);
-      if (!(change <= largest)) largest = change;  // what is not a number is kept
-    });
+  for (const Item& item : items_) largest = larger(largest, largest_change(item, image));
+  return largest;
+}
+
+double StrongUnknowns::largest_velocity(const Item& item) const {
+  if (!is_rigid(*item.kind)) return item.extent * std::abs(item.body->hinge.rate);
+  const auto& pose = item.body->pose;
+  double largest = 0;
+  for (int d = 0; d < 3; ++d)
+    largest = std::max({largest, std::abs(pose.velocity[d]), item.extent * std::abs(pose.angular_velocity[d])});
   return largest;
 }
 
 double StrongUnknowns::largest_velocity() const {
   double largest = 0;
-  for (const Item& item : items_)
-    for_each_velocity(
-        item, [&](std::size_t n, double factor) { largest = std::max(largest, factor * std::abs(values_[n])); });
+  for (const Item& item : items_) largest = std::max(largest, largest_velocity(item));
   return largest;
 }
 
-void StrongUnknowns::accept() {
-  if (scheme_ != StrongScheme::hamming) return;
-  for (Item& item : items_) {
-    Body& body = *item.body;
-    item.hamming.accept();
-    std::vector<double> y(item.size);
-    if (is_rigid(*item.kind)) {
-      body.pose = unpack_rigid(item.hamming.value());
-      pack(body.pose, y);
-    } else {
-      body.hinge = unpack_hinge(item.hamming.value());
-      body.pose = hinged_pose(body, *item.kind);
-      pack(body.hinge, y);
+// Hamming's last value differs from what the flow was told by less than the tolerance.
+void StrongUnknowns::accept_hamming(Item& item) {
+  Body& body = *item.body;
+  item.hamming.accept();
+  std::vector<double> y(item.size);
+  if (is_rigid(*item.kind)) {
+    body.pose = unpack_rigid(item.hamming.value());
+    pack(body.pose, y);
+  } else {
+    const auto& hinge = item.kind->hinge;
+    body.hinge = unpack_hinge(item.hamming.value());
+    if (is_at_stop(hinge, body.hinge.angle)) {
+      // An impact that nothing announced.
+      const bool outwards = body.hinge.angle <= hinge.min_angle ? body.hinge.rate < 0 : body.hinge.rate > 0;
+      body.hinge.angle = std::clamp(body.hinge.angle, hinge.min_angle, hinge.max_angle);
+      if (outwards) body.hinge.rate *= -hinge.restitution;
     }
-    follow_pose(body, *item.kind);
-    body.scheme = item.hamming.state();
-    body.scheme.insert(body.scheme.end(), y.begin(), y.end());
+    body.pose = hinged_pose(body, *item.kind);
+    pack(body.hinge, y);
+  }
+  follow_pose(body, *item.kind);
+  body.scheme = item.hamming.state();
+  body.scheme.insert(body.scheme.end(), y.begin(), y.end());
+}
+
+void StrongUnknowns::accept() {
+  for (Item& item : items_) {
+    if (item.scheme == StrongScheme::hamming) accept_hamming(item);
+    else item.body->scheme.clear();
   }
 }
 

@@ -7,6 +7,12 @@
 namespace pliant {
 
 /// The motions at the end of a step that strong coupling looks for, as one list of numbers a rank.
+///
+/// By Newton's law a rigid body has the six velocities at the end of the step, a hinge the rate that the torque of the
+/// flow alone would give it: what it makes of that torque, impacts on stops included, is for advance_hinge to say. So a
+/// hinge at a stop is at the stop to the bit, and one that is pressed against it has nothing to iterate on.
+/// By Hamming's formulas they have the whole state. These need smooth motion: a hinge that is at a stop, or may reach
+/// one in the step, takes the step by Newton's law and begins its history anew.
 class StrongUnknowns {
  public:
   /// Takes down where the rank's strongly coupled bodies are at the start of the step, and guesses their motion at its
@@ -34,18 +40,24 @@ class StrongUnknowns {
     RigidAcceleration start_acceleration;
     HingeState start_hinge;
     double start_hinge_acceleration = 0;
+    HingeState hinge_image;  // by Newton's law, from the torque that the image stands for
+    StrongScheme scheme = StrongScheme::aitken;
     Hamming hamming;
   };
   void guess(Item& item);
+  void guess_by_newton(Item& item);
+  void guess_by_hamming(Item& item);
   void set_from_velocities(Item& item);
+  void set_hinge_from_torque(Item& item);
+  double told_torque(const Item& item) const;
   void image_by_newton(Item& item, const RigidLoad& load, std::span<double> image);
   void image_by_hamming(Item& item, const RigidLoad& load, std::span<double> image);
-  template <class Visit>
-  void for_each_velocity(const Item& item, Visit visit) const;
+  void accept_hamming(Item& item);
+  double largest_change(const Item& item, std::span<const double> image) const;
+  double largest_velocity(const Item& item) const;
 
   CoupledFlow& coupled_;
   double step_;
-  StrongScheme scheme_;
   std::vector<Item> items_;
   std::vector<double> values_;
 };

@@ -455,6 +455,13 @@ std::string Simulation::Impl::write_good_state() {
 
 std::string Simulation::Impl::explain_flow_failure() const {
   std::string text = fmt::format("the flow is not finite any more; the step was {:.3g}", dt);
+  // A body far too light can take the flow along before its swings are counted.
+  for (const auto& kind : bodies.kinds())
+    if (kind.is_free() && kind.coupling == CouplingKind::loose && kind.added_mass_ratio > 1)
+      return text + fmt::format(
+                        "; likely loose coupling was unstable: the added mass of body '{}' is about {:.2g} of its own; "
+                        "use coupling = \"strong\"",
+                        kind.config.name, kind.added_mass_ratio);
   const double viscous = flow.viscous_step_limit();
   if (dt > viscous)
     return text + fmt::format(
