@@ -15,13 +15,6 @@
 namespace pliant {
 namespace {
 
-BoundaryConfig sides_of(BenchBoundary boundary) {
-  BoundaryConfig sides;
-  for (std::size_t s = 0; s < 6; ++s)
-    if (boundary == BenchBoundary::closed_box || (boundary == BenchBoundary::channel && s >= 4)) sides[s] = WallSide{};
-  return sides;
-}
-
 const char* word_of(ViscousMode mode) {
   switch (mode) {
     case ViscousMode::explicit_rk3:
@@ -78,6 +71,13 @@ Timing time_steps(const BenchOptions& options, const Communicator& ranks) {
 }
 
 }  // namespace
+
+BoundaryConfig sides_of(BenchBoundary boundary) {
+  BoundaryConfig sides;
+  for (std::size_t s = 0; s < 6; ++s)
+    if (boundary == BenchBoundary::closed_box || (boundary == BenchBoundary::channel && s >= 4)) sides[s] = WallSide{};
+  return sides;
+}
 
 int run_bench_flow(const BenchOptions& options) {
   const Communicator ranks;

@@ -5,7 +5,7 @@
 
 namespace pliant {
 
-/// The sides of the box that `bench flow` times.
+/// The sides of the box in which speed is measured.
 enum class BenchBoundary {
   periodic,    ///< all three directions periodic
   channel,     ///< x and y periodic, walls in z
@@ -13,6 +13,8 @@ enum class BenchBoundary {
 };
 
 enum class ReportFormat { text, json };
+
+BoundaryConfig sides_of(BenchBoundary boundary);
 
 /// What `pliant bench flow` is asked to time.
 struct BenchOptions {

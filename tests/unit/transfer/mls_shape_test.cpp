@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "unit/transfer/generic_mls.hpp"
+#include "app/generic_mls.hpp"
 #include "unit/transfer/transfer_fixture.hpp"
 
 namespace pliant::test {
