@@ -31,10 +31,10 @@ struct PatchConfig {
   std::string name;
   PatchShape shape = PatchShape::disc;
   std::array<double, 2> center{0, 0};
-  std::optional<double> radius;  ///< outside: of the hole; none: all that other patches leave
-  double inner_radius = 0;       ///< annulus
-  std::array<double, 2> size{0, 0};  ///< rectangle
-  std::string flow_rate;             ///< into the box: a signal's name or a formula of t
+  std::optional<double> radius;                ///< outside: of the hole; none: all that other patches leave
+  double inner_radius = 0;                     ///< annulus
+  std::array<double, 2> size{0, 0};            ///< rectangle
+  std::string flow_rate;                       ///< into the box: a signal's name or a formula of t
   std::optional<std::array<double, 2>> phase;  ///< part of the signal's period in which fluid passes
   PatchProfile profile = PatchProfile::uniform;
   bool balance = false;  ///< lets out what else comes in
@@ -52,7 +52,7 @@ enum class InflowProfile { uniform, parabolic };
 struct InflowSide {
   Vec3 velocity;  ///< must point into the box
   InflowProfile profile = InflowProfile::uniform;
-  double ramp = 0;  ///< time over which the velocity grows from 0; 0: at once
+  double ramp = 0;          ///< time over which the velocity grows from 0; 0: at once
   std::string signal = {};  ///< factor on the velocity: a signal's name or a formula of t; empty: 1
 };
 /// Convective outflow; all outflow sides together let out what comes in.
@@ -67,10 +67,13 @@ using BoundaryConfig = std::array<BoundarySpec, 6>;
 std::vector<PatchConfig>* patches_of(BoundarySpec& side);
 const std::vector<PatchConfig>* patches_of(const BoundarySpec& side);
 
-enum class StretchingLaw { uniform, tanh };
+enum class StretchingLaw { uniform, tanh, cluster };
 struct StretchingConfig {
   StretchingLaw law = StretchingLaw::uniform;
   double strength = 2.0;  ///< of the tanh law: larger packs more cells at both ends
+  double center = 0;      ///< of the cluster law: middle of the range of equal cells
+  double width = 0;       ///< of the cluster law: length of that range
+  double growth = 0.05;   ///< of the cluster law: each cell outside is longer than the one before it by this part
 };
 
 struct BoxConfig {
@@ -265,7 +268,7 @@ struct BodyConfig {
   RigidConfig rigid;
   HingeConfig hinge;
   LoadSource loads = LoadSource::momentum_balance;
-  int marker_refinement = 0;  ///< markers along the edge of a face; 0: as many as the grid asks for
+  int marker_refinement = 0;                ///< markers along the edge of a face; 0: as many as the grid asks for
   std::optional<double> marker_retraction;  ///< spacings; default: that of closed bodies, 0 for open ones
   double mass_per_vertex = 1.0;
   double damping = 0.0;         ///< force = -damping * velocity of the vertex

@@ -20,6 +20,7 @@ class Validator {
 
   std::vector<std::string> run(int ranks) {
     check_sides();
+    check_stretching();
     check_ranks(ranks);
     check_forcing();
     check_initial_flow();
@@ -59,6 +60,15 @@ class Validator {
     }
   }
 
+  void check_stretching() {
+    const auto& box = config_.box;
+    if (box.stretching_z.law != StretchingLaw::cluster || !trusted({"box.stretching.z.center"})) return;
+    const double lower = box.origin.z, upper = box.origin.z + box.size.z;
+    if (box.stretching_z.center < lower || box.stretching_z.center > upper)
+      complain("box.stretching.z.center", fmt::format("is {}, outside the box, which reaches from {} to {} along z",
+                                                      box.stretching_z.center, lower, upper));
+  }
+
   void check_open_sides() {
     bool has_outflow = false;
     for (const auto& side : config_.boundary) has_outflow |= lets_out(side);
@@ -73,7 +83,8 @@ class Validator {
                  fmt::format("has the component {} along {}, which does not point into the box; it must be {} than 0",
                              inflow->velocity[d], name_of(d), side % 2 == 0 ? "greater" : "less"));
       if (!has_outflow)
-        complain(name + ".type", "is \"inflow\", but nothing lets the fluid out again; give another side type = \"outflow\", or a "
+        complain(name + ".type",
+                 "is \"inflow\", but nothing lets the fluid out again; give another side type = \"outflow\", or a "
                  "side of z a patch with balance = true");
     }
   }
