@@ -67,10 +67,13 @@ using BoundaryConfig = std::array<BoundarySpec, 6>;
 std::vector<PatchConfig>* patches_of(BoundarySpec& side);
 const std::vector<PatchConfig>* patches_of(const BoundarySpec& side);
 
-enum class StretchingLaw { uniform, tanh };
+enum class StretchingLaw { uniform, tanh, cluster };
 struct StretchingConfig {
   StretchingLaw law = StretchingLaw::uniform;
   double strength = 2.0;  ///< of the tanh law: larger packs more cells at both ends
+  double center = 0;      ///< of the cluster law: middle of the range of equal cells
+  double width = 0;       ///< of the cluster law: length of that range
+  double growth = 0.05;   ///< of the cluster law: each cell outside is longer than the one before it by this part
 };
 
 struct BoxConfig {
@@ -265,7 +268,7 @@ struct BodyConfig {
   RigidConfig rigid;
   HingeConfig hinge;
   LoadSource loads = LoadSource::momentum_balance;
-  int marker_refinement = 0;  ///< markers along the edge of a face; 0: as many as the grid asks for
+  int marker_refinement = 0;                ///< markers along the edge of a face; 0: as many as the grid asks for
   std::optional<double> marker_retraction;  ///< spacings; default: that of closed bodies, 0 for open ones
   double mass_per_vertex = 1.0;
   double damping = 0.0;         ///< force = -damping * velocity of the vertex

@@ -106,7 +106,10 @@ CaseKey for_flows(CaseKey key, const std::vector<InitialFlow>& flows) {
 }
 
 void add_box(std::vector<CaseKey>& keys) {
-  const auto stretched = [](const CaseConfig& c) { return c.box.stretching_z.law != StretchingLaw::uniform; };
+  const auto by_law = [](StretchingLaw law, CaseKey key) {
+    return only_when<CaseConfig>(std::move(key), "box.stretching.z.law is \"" + word_for(law) + "\"",
+                                 [law](const CaseConfig& c) { return c.box.stretching_z.law == law; });
+  };
   keys.push_back(make_key<CaseConfig>(
       {"box.size", "length", "extent of the box in x, y, z"}, [](auto& c) { return &c.box.size; }, positive()));
   keys.push_back(make_key<CaseConfig>({"box.origin", "length", "corner of the box with the smallest coordinates"},
@@ -115,10 +118,23 @@ void add_box(std::vector<CaseKey>& keys) {
       {"box.cells", "", "number of cells in x, y, z"}, [](auto& c) { return &c.box.cells; }, between(1, 100000)));
   keys.push_back(make_key<CaseConfig>({"box.stretching.z.law", "", "how the cells are spread along z"},
                                       [](auto& c) { return &c.box.stretching_z.law; }));
-  keys.push_back(only_when<CaseConfig>(make_key<CaseConfig>(
-                                           {"box.stretching.z.strength", "", "larger packs more cells at both ends"},
-                                           [](auto& c) { return &c.box.stretching_z.strength; }, strength),
-                                       "box.stretching.z.law is \"tanh\"", stretched));
+  keys.push_back(
+      by_law(StretchingLaw::tanh, make_key<CaseConfig>(
+                                      {"box.stretching.z.strength", "", "larger packs more cells at both ends"},
+                                      [](auto& c) { return &c.box.stretching_z.strength; }, strength)));
+  keys.push_back(
+      by_law(StretchingLaw::cluster,
+             make_key<CaseConfig>({"box.stretching.z.center", "length", "middle of the range of equal cells"},
+                                  [](auto& c) { return &c.box.stretching_z.center; })));
+  keys.push_back(by_law(StretchingLaw::cluster, make_key<CaseConfig>(
+                                                    {"box.stretching.z.width", "length", "of the range of equal cells"},
+                                                    [](auto& c) { return &c.box.stretching_z.width; }, at_least(0))));
+  keys.push_back(by_law(StretchingLaw::cluster,
+                        make_key<CaseConfig>(
+                            {"box.stretching.z.growth", "",
+                             "outside that range each cell is longer than the one before it by about this part"},
+                            [](auto& c) { return &c.box.stretching_z.growth; },
+                            Limits{.min = 0, .min_bound = Bound::exclusive, .max = 0.5})));
 }
 
 void add_fluid(std::vector<CaseKey>& keys) {
@@ -129,10 +145,11 @@ void add_fluid(std::vector<CaseKey>& keys) {
       [](auto& c) { return &c.fluid.viscosity; }, at_least(0)));
   keys.push_back(make_key<CaseConfig>({"forcing.acceleration", "length / time^2", "force per unit mass of fluid"},
                                       [](auto& c) { return &c.forcing.acceleration; }));
-  keys.push_back(make_key<CaseConfig>({"forcing.gravity", "length / time^2",
-                                       "moves bodies that are heavier or lighter than the fluid; the fluid's own weight is "
-                                       "balanced by its pressure and left out"},
-                                      [](auto& c) { return &c.forcing.gravity; }));
+  keys.push_back(
+      make_key<CaseConfig>({"forcing.gravity", "length / time^2",
+                            "moves bodies that are heavier or lighter than the fluid; the fluid's own weight is "
+                            "balanced by its pressure and left out"},
+                           [](auto& c) { return &c.forcing.gravity; }));
   keys.push_back(required(make_key<CaseConfig>(
       {"forcing.bulk_velocity.axis", "", "direction of a constant mass flux; must be periodic"}, [](auto& c) {
         auto* bulk = member(c.forcing.bulk_velocity);

@@ -20,6 +20,7 @@ class Validator {
 
   std::vector<std::string> run(int ranks) {
     check_sides();
+    check_stretching();
     check_ranks(ranks);
     check_forcing();
     check_initial_flow();
@@ -57,6 +58,15 @@ class Validator {
       complain(key, fmt::format("has the component {} along {}, normal to the wall; it must be 0",
                                 wall->velocity[side / 2], name_of(side / 2)));
     }
+  }
+
+  void check_stretching() {
+    const auto& box = config_.box;
+    if (box.stretching_z.law != StretchingLaw::cluster || !trusted({"box.stretching.z.center"})) return;
+    const double lower = box.origin.z, upper = box.origin.z + box.size.z;
+    if (box.stretching_z.center < lower || box.stretching_z.center > upper)
+      complain("box.stretching.z.center", fmt::format("is {}, outside the box, which reaches from {} to {} along z",
+                                                      box.stretching_z.center, lower, upper));
   }
 
   void check_open_sides() {

@@ -9,7 +9,7 @@ Words<Axis> words_of<Axis>() {
 
 template <>
 Words<StretchingLaw> words_of<StretchingLaw>() {
-  return {{"uniform", StretchingLaw::uniform}, {"tanh", StretchingLaw::tanh}};
+  return {{"uniform", StretchingLaw::uniform}, {"tanh", StretchingLaw::tanh}, {"cluster", StretchingLaw::cluster}};
 }
 
 template <>
@@ -59,12 +59,9 @@ Words<OrientationKind> words_of<OrientationKind>() {
 
 template <>
 Words<TractionForm> words_of<TractionForm>() {
-  return {{"auto", TractionForm::automatic},
-          {"none", TractionForm::none},
-          {"drag", TractionForm::drag},
-          {"one-sided", TractionForm::one_sided},
-          {"gradient", TractionForm::gradient},
-          {"quadratic", TractionForm::quadratic}};
+  return {{"auto", TractionForm::automatic},    {"none", TractionForm::none},
+          {"drag", TractionForm::drag},         {"one-sided", TractionForm::one_sided},
+          {"gradient", TractionForm::gradient}, {"quadratic", TractionForm::quadratic}};
 }
 
 template <>

@@ -1,0 +1,153 @@
+#!/usr/bin/python3
+"""Time of a step against the number of faces, for fixed and for free bodies: runs, compares, draws. See README.md."""
+import argparse
+import os
+import random
+import statistics
+import sys
+from pathlib import Path
+
+CASE = Path(__file__).resolve().parent
+sys.path.insert(0, str(CASE.parent))
+import common  # noqa: E402
+
+FACES = 320  # of a sphere
+COUNTS = (1, 3, 10, 32, 100)
+MOTIONS = ("fixed", "rigid")
+GRIDS = {"small": (60, 60, 360), "paper": (120, 120, 720)}  # cells; the spheres keep eight cells in diameter
+BOUND = 1.05  # time of a step with 32,000 faces over that with 320
+
+
+def make_run(out, grid, motion, count, repeat):
+    cells = GRIDS[grid]
+    return common.Run(CASE / "case.toml", out / f"{grid}-{motion}-{count}-{repeat}", {
+        "box.cells": cells,
+        "time.step": 0.12 / cells[0],
+        "body.spheres.surface.diameter": 8.0 / cells[0] * 1.0005,
+        "body.spheres.gap": 3.6 / cells[0],
+        "body.spheres.count": count,
+        "body.spheres.motion": motion,
+        **({"body.spheres.loads": "probes", "body.spheres.density": 2.0} if motion == "rigid" else {}),
+    })
+
+
+def costs(run):
+    """Seconds a step: of the flow alone, and of the bodies. Both from one run, so that a busy machine slows both."""
+    report = run.report()
+    phases, steps = report["seconds_by_phase"], report["steps"]
+    forcing = phases.get("bodies: forcing, within fluid", 0.0)
+    bodies = forcing + sum(phases.get("bodies: " + part, 0.0) for part in ("markers", "loads", "motion"))
+    return (phases["fluid"] - forcing) / steps, bodies / steps
+
+
+def measure(arguments, binary, grid):
+    """For every motion and count the (flow, bodies) of all repeats; the runs in random order within a repeat."""
+    samples = {(motion, count): [] for motion in MOTIONS for count in COUNTS}
+    order = random.Random(1)
+    for repeat in range(arguments.repeats):
+        keys = list(samples)
+        order.shuffle(keys)
+        for motion, count in keys:
+            run = make_run(arguments.out, grid, motion, count, repeat)
+            run.execute(binary, arguments.reuse)
+            samples[motion, count].append(costs(run))
+    return samples
+
+
+def relative(samples, motion, count):
+    """Time of a step over that with one sphere, each as a multiple of its own run's flow: median, least, largest."""
+    def of(n):
+        return [1 + bodies / flow for flow, bodies in samples[motion, n]]
+
+    base = statistics.median(of(COUNTS[0]))
+    values = [value / base for value in of(count)]
+    return statistics.median(values), min(values), max(values)
+
+
+def table(samples):
+    rows = []
+    for motion in MOTIONS:
+        for count in COUNTS:
+            pairs = samples[motion, count]
+            steps = [flow + bodies for flow, bodies in pairs]
+            parts = [1e3 * bodies for _, bodies in pairs]
+            middle, least, most = relative(samples, motion, count)
+            per_face = 1e6 * statistics.median(parts) / (FACES * count)
+            rows.append([motion, f"{FACES * count:,}", f"{statistics.median(steps):.3f} ({min(steps):.3f}-{max(steps):.3f})",
+                         f"{statistics.median(parts):.2f} ({min(parts):.2f}-{max(parts):.2f})", f"{per_face:.0f}",
+                         f"**{middle:.3f}** ({least:.3f}-{most:.3f})"])
+    return common.markdown_table(["bodies", "faces", "a step, s", "of which bodies, ms", "bodies, ns a face and step",
+                                  "over 320 faces"], rows)
+
+
+def draw(all_samples, path):
+    import matplotlib
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+    figure, axes = plt.subplots(1, 2, figsize=(10, 3.8), sharey=True, constrained_layout=True)
+    for axis, motion in zip(axes, MOTIONS):
+        for grid, samples in all_samples.items():
+            points = [relative(samples, motion, count) for count in COUNTS]
+            middles = [p[0] for p in points]
+            errors = [[p[0] - p[1] for p in points], [p[2] - p[0] for p in points]]
+            axis.errorbar([FACES * count for count in COUNTS], middles, yerr=errors, marker="o", capsize=3,
+                          label=" x ".join(map(str, GRIDS[grid])) + " cells")
+        axis.axhline(BOUND, color="0.5", linestyle=":", label=f"bound {BOUND}" if motion == "fixed" else None)
+        if motion == "rigid":
+            axis.axhline(1.3, color="0.7", linestyle="--", label="paper, moving and deforming, at 32,000")
+        axis.set(xscale="log", xlabel="faces", title={"fixed": "fixed bodies", "rigid": "free bodies, with probes"}[motion])
+        axis.legend(fontsize=8)
+    axes[0].set(ylabel="time of a step over that with 320 faces")
+    figure.savefig(path, dpi=110)
+    plt.close(figure)
+
+
+def read_arguments():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--quick", action="store_true", help="only the small grid, which is reported and not judged")
+    parser.add_argument("--repeats", type=int, default=3, help="of every run; the median counts")
+    parser.add_argument("--reuse", action="store_true", help="keep finished runs of the same command")
+    parser.add_argument("--binary", help="the program (default: build/release/pliant)")
+    parser.add_argument("--out", type=Path, default=common.REPOSITORY / "out" / "faces-cost")
+    parser.add_argument("--update-readme", action="store_true", help="put table and figure into the README")
+    arguments = parser.parse_args()
+    if arguments.repeats < 1:
+        parser.error("--repeats must be at least 1")
+    if arguments.update_readme and arguments.quick:
+        parser.error("--update-readme needs both grids")
+    return arguments
+
+
+def main():
+    arguments = read_arguments()
+    binary = common.find_binary(arguments.binary)
+    grids = ["small"] if arguments.quick else ["paper", "small"]
+    samples = {grid: measure(arguments, binary, grid) for grid in grids}
+
+    verdict = common.Verdict()
+    if not arguments.quick:
+        for motion in MOTIONS:
+            verdict.within(f"{motion}: a step with 32,000 faces over one with 320",
+                           relative(samples["paper"], motion, COUNTS[-1])[0], 0, BOUND)
+    report = make_run(arguments.out, grids[0], MOTIONS[0], COUNTS[0], 0).report()
+    command = f"cases/faces-cost/check.py{' --quick' if arguments.quick else ''} --repeats {arguments.repeats}"
+    text = common.how_measured(report, command)
+    for grid, values in samples.items():
+        text += f"\n### {' x '.join(map(str, GRIDS[grid]))} cells\n{table(values)}"
+    text += f"\n### Bounds\n{verdict.markdown()}"
+    (arguments.out / "results.md").write_text(text)
+    picture = CASE / "faces-cost.png" if arguments.update_readme else arguments.out / "faces-cost.png"
+    draw(samples, picture)
+    if arguments.update_readme:
+        common.update_readme(CASE / "README.md", text)
+    print("\n" + text + f"\nFigure: {os.path.relpath(picture)}\n{'PASS' if verdict.passes else 'FAIL'}")
+    return 0 if verdict.passes else 1
+
+
+if __name__ == "__main__":
+    try:
+        sys.exit(main())
+    except common.RunFailed as problem:
+        sys.exit(f"check.py: {problem}")
+    except KeyboardInterrupt:
+        sys.exit(130)
