@@ -27,6 +27,8 @@ class SignalValidator {
       for (const auto& patch : *patches)
         if (!patch.balance && !patch.flow_rate.empty()) check_patch(patch_key(side, patch), patch);
     }
+    for (const auto& body : config_.bodies)
+      if (body.motion == MotionKind::prescribed && !body.name.empty()) check_path("body." + body.name + ".path.", body.path);
   }
 
  private:
@@ -62,6 +64,13 @@ class SignalValidator {
       complain(key + ".phase", fmt::format("is part of a period, but the flow rate \"{}\" has none; name a signal with "
                                            "the key period",
                                            patch.flow_rate));
+  }
+
+  void check_path(const std::string& prefix, const PathConfig& path) {
+    const std::pair<const char*, const std::string*> functions[] = {
+        {"x", &path.x}, {"y", &path.y}, {"z", &path.z}, {"angle", &path.angle}};
+    for (const auto& [name, text] : functions)
+      if (!text->empty()) check_use(prefix + name, *text);
   }
 
   std::optional<Signal> check_use(const std::string& key, const std::string& text) {
