@@ -6,6 +6,7 @@
 #include <cctype>
 
 #include "config/key_table.hpp"
+#include "config/validate_bodies.hpp"
 #include "config/validate_patches.hpp"
 
 namespace pliant {
@@ -25,6 +26,7 @@ class Validator {
     check_forcing();
     check_initial_flow();
     check_bodies();
+    check_motions(config_, suspect_, problems_);
     check_patches(config_, suspect_, problems_);
     return std::move(problems_);
   }

@@ -26,6 +26,20 @@ void apply(StrongUnknowns& unknowns, const Communicator& ranks) {
 StrongCoupling::StrongCoupling(const Communicator& ranks, const CouplingConfig& settings)
     : ranks_(ranks), settings_(settings), relaxation_(ranks, settings.relaxation) {}
 
+// Speaks for the body that changes most: agree takes the word of the rank that holds it.
+void StrongCoupling::fail(const StrongUnknowns& unknowns, std::span<const double> image, double change,
+                          const StrongReport& report) const {
+  const auto worst = unknowns.largest_change(image);
+  const auto text = fmt::format(
+      "strong coupling did not converge in {} iterations: velocities still change by {:.3g} of the largest one, "
+      "coupling.tolerance is {:.3g}; take a smaller step, a lower coupling.relaxation, or more "
+      "coupling.max_iterations",
+      report.iterations, report.residual, settings_.tolerance);
+  const auto body = unknowns.body_of_largest_change(image);
+  agree(ranks_, worst < change || body.empty() ? "" : fmt::format("body '{}': {}", body, text));
+  throw CollectiveError(text);
+}
+
 StrongReport StrongCoupling::advance(CoupledFlow& coupled, double time, double step) {
   coupled.flow().save_state(start_);
   move_prescribed(coupled.bodies(), time);
@@ -47,11 +61,7 @@ StrongReport StrongCoupling::advance(CoupledFlow& coupled, double time, double s
     report.residual = change / scale;
     if (report.residual <= settings_.tolerance) break;
     if (report.iterations >= settings_.max_iterations || !std::isfinite(report.residual))
-      throw CollectiveError(
-          fmt::format("strong coupling did not converge in {} iterations: velocities still change by {:.3g} of the "
-                      "largest one, coupling.tolerance is {:.3g}; take a smaller step, a lower coupling.relaxation, or "
-                      "more coupling.max_iterations",
-                      report.iterations, report.residual, settings_.tolerance));
+      fail(unknowns, image, change, report);
     relaxation_.relax(unknowns.values(), image);
   }
   unknowns.accept();

@@ -4,6 +4,8 @@
 
 namespace pliant {
 
+class StrongUnknowns;
+
 /// How hard the last step of strong coupling was.
 struct StrongReport {
   int iterations = 0;
@@ -26,7 +28,8 @@ class StrongCoupling {
  public:
   StrongCoupling(const Communicator& ranks, const CouplingConfig& settings);
 
-  /// One step to `time`. Collective. Throws CollectiveError if the iterations do not converge.
+  /// One step to `time`. Collective. Throws CollectiveError if the iterations do not converge, which
+  /// names the body that still changes most.
   StrongReport advance(CoupledFlow& coupled, double time, double step);
 
   /// What a checkpoint needs beyond the bodies.
@@ -34,6 +37,9 @@ class StrongCoupling {
   void restore(std::span<const double> state) { relaxation_.restore(state); }
 
  private:
+  [[noreturn]] void fail(const StrongUnknowns& unknowns, std::span<const double> image, double change,
+                         const StrongReport& report) const;
+
   Communicator ranks_;
   CouplingConfig settings_;
   AitkenRelaxation relaxation_;

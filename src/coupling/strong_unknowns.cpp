@@ -250,6 +250,19 @@ double StrongUnknowns::largest_velocity(const Item& item) const {
   return largest;
 }
 
+std::string StrongUnknowns::body_of_largest_change(std::span<const double> image) const {
+  double largest = -1;
+  std::string name;
+  for (const Item& item : items_)
+    for_each_velocity(item, [&](std::size_t n, double factor) {
+      const double change = factor * std::abs(image[n] - values_[n]);
+      if (change <= largest || std::isnan(largest)) return;
+      largest = change;
+      name = item.body->name();
+    });
+  return name;
+}
+
 double StrongUnknowns::largest_velocity() const {
   double largest = 0;
   for (const Item& item : items_) largest = std::max(largest, largest_velocity(item));

@@ -1,4 +1,5 @@
 #pragma once
+#include <string>
 #include <vector>
 
 #include "coupling/coupled_flow.hpp"
@@ -27,6 +28,8 @@ class StrongUnknowns {
   /// Largest change from the values to `image`, and the largest velocity, of this rank.
   double largest_change(std::span<const double> image) const;
   double largest_velocity() const;
+  /// The name of the body of this rank whose velocities change most; empty without bodies.
+  std::string body_of_largest_change(std::span<const double> image) const;
   /// The step is done: the bodies keep the state of the last apply(), and their accelerations.
   void accept();
 

@@ -27,7 +27,8 @@ class SignalValidator {
       for (const auto& patch : *patches)
         if (!patch.balance && !patch.flow_rate.empty()) check_patch(patch_key(side, patch), patch);
     }
-    for (const auto& body : config_.bodies) check_path(body);
+    for (const auto& body : config_.bodies)
+      if (body.motion == MotionKind::prescribed && !body.name.empty()) check_path("body." + body.name + ".path.", body.path);
   }
 
  private:
@@ -57,19 +58,19 @@ class SignalValidator {
     }
   }
 
-  void check_path(const BodyConfig& body) {
-    if (body.motion != MotionKind::prescribed) return;
-    const auto& path = body.path;
-    for (const auto& [name, text] : {std::pair("x", path.x), {"y", path.y}, {"z", path.z}, {"angle", path.angle}})
-      if (!text.empty()) check_use("body." + body.name + ".path." + name, text);
-  }
-
   void check_patch(const std::string& key, const PatchConfig& patch) {
     const auto signal = check_use(key + ".flow_rate", patch.flow_rate);
     if (signal && patch.phase && !signal->period())
       complain(key + ".phase", fmt::format("is part of a period, but the flow rate \"{}\" has none; name a signal with "
                                            "the key period",
                                            patch.flow_rate));
+  }
+
+  void check_path(const std::string& prefix, const PathConfig& path) {
+    const std::pair<const char*, const std::string*> functions[] = {
+        {"x", &path.x}, {"y", &path.y}, {"z", &path.z}, {"angle", &path.angle}};
+    for (const auto& [name, text] : functions)
+      if (!text->empty()) check_use(prefix + name, *text);
   }
 
   std::optional<Signal> check_use(const std::string& key, const std::string& text) {

@@ -208,6 +208,42 @@ bad_patches("inside out ring", "radius = 0.7, flow_rate", 'shape = "annulus", ra
 bad_patches("many at once", 'radius = 0.7, flow_rate = "beat", phase = [0, 0.5]', 'radius = -1, flow_rate = "sin(", phase = [0.5, 2]',
             [r"patches\.in\.radius", r"patches\.in\.flow_rate", r"patches\.in\.phase", "3 problems"])
 
+# Motions and coupling
+BALL = SPHERE[:SPHERE.index("traction")].replace('coupling = "one-way"\n', "")
+PLATE = BALL.replace('"sphere", radius = 0.5', '"plate"')
+
+
+def bad_motion(name, motion, text, patterns, surface=BALL, more=""):
+    bad_case(name, CASE + surface + 'motion = "{}"\n{}\n{}'.format(motion, text, more), patterns)
+
+
+bad_motion("deformable without one-way", "deformable", "", [r'body\.drop\.coupling is "auto".*"one-way"'])
+bad_motion("deformable and loose", "deformable", 'coupling = "loose"', [r'case\.toml:\d+: body\.drop\.coupling is "loose"'])
+bad_motion("deformable and strong", "deformable", 'coupling = "strong"', [r'body\.drop\.coupling is "strong"'])
+bad_motion("rigid and one-way", "rigid", 'coupling = "one-way"', [r'body\.drop\.coupling is "one-way".*"rigid"'])
+bad_motion("hinge and one-way", "hinge", 'coupling = "one-way"', [r'body\.drop\.coupling is "one-way".*"hinge"'])
+bad_motion("drag on a rigid body", "rigid", 'traction.form = "drag"', [r'body\.drop\.traction\.form is "drag"'])
+bad_motion("quadratic on a deformable body", "deformable", 'coupling = "one-way"\ntraction.form = "quadratic"',
+           [r'body\.drop\.traction\.form is "quadratic"'])
+bad_motion("probes without probes", "rigid", 'loads = "probes"\ntraction.form = "none"', [r'body\.drop\.loads is "probes"'])
+bad_motion("loads of a fixed body", "fixed", 'loads = "probes"', [r"body\.drop\.loads has no effect.*rigid"])
+bad_motion("hinge without an axis", "hinge", "hinge.axis = [0, 0, 0]", [r"body\.drop\.hinge\.axis must not be 0"])
+bad_motion("path without an axis", "prescribed", "path.axis = [0, 0, 0]", [r"body\.drop\.path\.axis must not be 0"])
+bad_motion("path that is no formula", "prescribed", 'path.y = "2*q"', [r"case\.toml:\d+: body\.drop\.path\.y"])
+bad_motion("path that is not finite", "prescribed", 'path.angle = "log(t)"', [r"body\.drop\.path\.angle.*no finite value"])
+bad_motion("stops the wrong way round", "hinge", "hinge = { min_angle = 9, max_angle = 3 }",
+           [r"hinge\.min_angle is 9, above hinge\.max_angle = 3"])
+bad_motion("start beyond a stop", "hinge", "hinge = { max_angle = 3, angle = 4 }", [r"hinge\.angle starts at 4 degrees"])
+bad_motion("hinge with copies", "hinge", "count = 2", [r"body\.drop\.count makes copies"])
+bad_motion("open rigid body without a wall", "rigid", "", [r"body\.drop\.thickness is 0.*open"], surface=PLATE)
+bad_motion("half free", "rigid", "free_rotation = [1, 1, 0.5]", [r"free_rotation has the component 0\.5 along z"])
+bad_motion("repulsion without strength", "fixed", "", [r"repulsion\.range is given"], more="[repulsion]\nrange = 1\n")
+bad_motion("repulsion without range", "fixed", "", [r"repulsion\.strength is given"], more="[repulsion]\nstrength = 1\n")
+bad_motion("repulsion across the box", "fixed", "", [r"repulsion\.range is 3, more than half of the periodic direction x"],
+           more="[repulsion]\nrange = 3\nstrength = 1\n")
+bad_motion("several problems of a motion", "hinge", 'coupling = "one-way"\ncount = 2\nhinge.axis = [0, 0, 0]',
+           ["3 problems", r"coupling", r"count", r"hinge\.axis"])
+
 # Surfaces
 bad_surface("surface in two pieces", surfaces.two_pieces(), [r"drop\.gts: .* 2 closed pieces"])
 bad_surface("surface that crosses itself", surfaces.crossing_itself(), [r"body\.drop has a surface that crosses itself"])

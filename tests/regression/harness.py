@@ -23,6 +23,7 @@ BODY = """
 [[body]]
 name = "drop"
 surface = { file = "drop.gts" }
+coupling = "one-way"
 traction = { form = "drag" }
 [body.potentials]
 edge = { stiffness = 1 }

@@ -9,6 +9,8 @@
 
 #include "config/value_codec.hpp"
 #include "core/error.hpp"
+#include "mpi/coupling/all_bodies.hpp"
+#include "mpi/first_ranks.hpp"
 #include "mpi/io/shared_folder.hpp"
 #include "simulation/simulation.hpp"
 
@@ -24,28 +26,6 @@ std::string text_of(const fs::path& path) {
   text << std::ifstream(path, std::ios::binary).rdbuf();
   return text.str();
 }
-
-// The first n ranks of the test; the others have none.
-class FirstRanks {
- public:
-  explicit FirstRanks(int n) {
-    const Communicator world;
-    check_mpi(MPI_Comm_split(world.handle(), world.rank() < n ? 0 : MPI_UNDEFINED, world.rank(), &comm_),
-              "MPI_Comm_split");
-    if (comm_ != MPI_COMM_NULL) check_mpi(MPI_Comm_set_errhandler(comm_, MPI_ERRORS_RETURN), "MPI_Comm_set_errhandler");
-  }
-  ~FirstRanks() {
-    if (comm_ != MPI_COMM_NULL) MPI_Comm_free(&comm_);
-    MPI_Barrier(MPI_COMM_WORLD);
-  }
-  FirstRanks(const FirstRanks&) = delete;
-  FirstRanks& operator=(const FirstRanks&) = delete;
-  bool am_in() const { return comm_ != MPI_COMM_NULL; }
-  Communicator ranks() const { return Communicator(comm_); }
-
- private:
-  MPI_Comm comm_ = MPI_COMM_NULL;
-};
 
 struct NamedCase {
   std::string name;
@@ -74,6 +54,7 @@ BodyConfig drop(std::string name, double x) {
   body.name = std::move(name);
   body.surface = SphereSurface{2, 0.8};
   body.center = {x, 0, 0};
+  body.coupling = CouplingKind::one_way;
   body.mass_per_vertex = 0.05;
   body.traction.form = TractionForm::drag;
   body.potentials.edge = EdgeConfig{40, 1.0};
@@ -131,10 +112,8 @@ std::vector<double> result_of(const FirstRanks& first, const CaseConfig& config,
         simulation.flow().save_table(
             t, std::span(state).subspan(t * cells + static_cast<std::size_t>(tables[t].first) * tables[t].row_size,
                                         tables[t].size()));
-      if (first.ranks().is_root())
-        for (const auto& body : simulation.bodies().all())
-          for (const auto* values : {&body.positions, &body.velocities, &body.forces})
-            for (const Vec3 x : *values) state.insert(state.end(), {x.x, x.y, x.z});
+      const auto bodies = all_vertices(simulation.bodies());
+      if (first.ranks().is_root()) state.insert(state.end(), bodies.begin(), bodies.end());
     } catch (const std::exception& error) {
       ADD_FAILURE() << error.what();  // the other ranks of the test wait
     }

@@ -4,3 +4,4 @@ pliant_test(transfer_test SOURCES ${CMAKE_CURRENT_LIST_DIR}/transfer_test.cpp LI
 target_include_directories(accumulate_test PRIVATE ${CMAKE_SOURCE_DIR}/tests)
 target_include_directories(transfer_test PRIVATE ${CMAKE_SOURCE_DIR}/tests)
 pliant_test(leak_test SOURCES ${CMAKE_CURRENT_LIST_DIR}/leak_test.cpp LIBS pliant_transfer RANKS 1 2 3 4)
+pliant_test(point_router_test SOURCES ${CMAKE_CURRENT_LIST_DIR}/point_router_test.cpp LIBS pliant_transfer RANKS 1 2 3 4)

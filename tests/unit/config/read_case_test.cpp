@@ -102,7 +102,7 @@ TEST(ReadCase, UnknownKeysNameTheNearest) {
   EXPECT_THAT(problems_of("[fluit]\nviscosity = 1"),
               ElementsAre(AllOf(HasSubstr("case.toml:1"), HasSubstr("nearest known key is fluid"))));
   EXPECT_THAT(problems_of("[boundary]\nw = \"wall\""), ElementsAre(HasSubstr("unknown key boundary.w")));
-  EXPECT_THAT(problems_of("[[body]]\nname = \"a\"\nsurface.shape = \"sphere\"\npotentials.edge = { stifness = 1 }\n"
+  EXPECT_THAT(problems_of("[[body]]\nname = \"a\"\ncoupling = \"one-way\"\nsurface.shape = \"sphere\"\npotentials.edge = { stifness = 1 }\n"
                           "[box]\nsize = [4, 4, 4]"),
               UnorderedElementsAre(
                   AllOf(HasSubstr("body.a.potentials.edge.stifness"), HasSubstr("body.a.potentials.edge.stiffness")),
@@ -243,7 +243,7 @@ TEST(Validate, FindsWhatSingleKeysCannotSay) {
 }
 
 TEST(Validate, BodiesLeaveTheFlowItsFilesAndFitIntoFileNames) {
-  const std::string body = "[box]\nsize = [4, 4, 4]\n[[body]]\nsurface = { shape = \"sphere\" }\nname = ";
+  const std::string body = "[box]\nsize = [4, 4, 4]\n[[body]]\ncoupling = \"one-way\"\nsurface = { shape = \"sphere\" }\nname = ";
   EXPECT_THAT(problems_of(body + "\"fields\""), ElementsAre(HasSubstr("body.fields.name is the name of the flow's")));
   EXPECT_THAT(problems_of(body + "\"" + std::string(101, 'a') + "\""), ElementsAre(HasSubstr("use at most 100")));
   EXPECT_THAT(problems_of(body + "\"" + std::string(100, 'a') + "\""), IsEmpty());
@@ -255,7 +255,7 @@ TEST(ReadCase, RefusesGridsThatNobodyCanHave) {
 }
 
 TEST(Validate, BodiesHaveTheirOwnNames) {
-  const std::string body = "[[body]]\nname = \"a\"\nsurface = { shape = \"sphere\", radius = 0.1 }\n";
+  const std::string body = "[[body]]\nname = \"a\"\ncoupling = \"one-way\"\nsurface = { shape = \"sphere\", radius = 0.1 }\n";
   EXPECT_THAT(problems_of(body + body), ElementsAre(HasSubstr("more than one body")));
 }
 

@@ -14,7 +14,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 
 std::string body_with(const std::string& surface, const std::string& more = "") {
-  return "box.size = [8, 8, 8]\n[[body]]\nname = \"a\"\nsurface = { " + surface + " }\n" + more;
+  return "box.size = [8, 8, 8]\n[[body]]\nname = \"a\"\ncoupling = \"one-way\"\nsurface = { " + surface + " }\n" + more;
 }
 template <class Shape>
 Shape shape_of(const std::string& surface) {

@@ -4,3 +4,4 @@ pliant_test(config_test
   LIBS pliant_config GTest::gmock)
 target_compile_definitions(config_test PRIVATE PLIANT_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
 pliant_test(config_patches_test SOURCES ${CMAKE_CURRENT_LIST_DIR}/patches_test.cpp LIBS pliant_config GTest::gmock)
+pliant_test(config_motions_test SOURCES ${CMAKE_CURRENT_LIST_DIR}/motions_test.cpp LIBS pliant_config GTest::gmock)
