@@ -253,13 +253,12 @@ double StrongUnknowns::largest_velocity(const Item& item) const {
 std::string StrongUnknowns::body_of_largest_change(std::span<const double> image) const {
   double largest = -1;
   std::string name;
-  for (const Item& item : items_)
-    for_each_velocity(item, [&](std::size_t n, double factor) {
-      const double change = factor * std::abs(image[n] - values_[n]);
-      if (change <= largest || std::isnan(largest)) return;
-      largest = change;
-      name = item.body->name();
-    });
+  for (const Item& item : items_) {
+    const double change = largest_change(item, image);
+    if (change <= largest || std::isnan(largest)) continue;
+    largest = change;
+    name = item.body->name();
+  }
   return name;
 }
 
