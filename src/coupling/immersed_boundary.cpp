@@ -19,6 +19,9 @@ template <class T>
 std::span<const T> part(const std::vector<T>& all, std::size_t begin, std::size_t end) {
   return std::span(all).subspan(begin, end - begin);
 }
+std::span<const Vec3> part(std::span<const Vec3> all, std::size_t begin, std::size_t end) {
+  return all.subspan(begin, end - begin);
+}
 
 bool belongs(const BodyKind& kind, MarkerGroup group) {
   return kind.acts_on_flow() && (kind.config.motion == MotionKind::fixed) == (group == MarkerGroup::fixed);
@@ -61,8 +64,9 @@ ImmersedBoundary::ImmersedBoundary(const Grid& grid, const CaseConfig& config)
 
 void ImmersedBoundary::gather(Bodies& bodies, MarkerGroup which, Group& group) const {
   group.parts.clear();
-  group.markers = {};
-  MarkerSet of_body;
+  for (auto* vectors : {&group.markers.positions, &group.markers.velocities, &group.markers.normals}) vectors->clear();
+  group.markers.areas.clear();
+  MarkerSet& of_body = group.of_body;
   const auto own = bodies.own();
   for (std::size_t b = 0; b < own.size(); ++b) {
     Body& body = own[b];
@@ -98,18 +102,18 @@ void ImmersedBoundary::place(Bodies& bodies, MarkerGroup which) {
   gather(bodies, which, group);
   agree(grid_.ranks(), find_outside(bodies, group));
   group.router.route(group.markers.positions);
-  std::vector<Vec3> velocities;
-  std::vector<double> areas;
-  group.router.send(group.markers.velocities, velocities);
-  group.router.send(group.markers.areas, areas);
-  forcing_.place(group.router.held(), areas, velocities, which);
+  group.router.send(group.markers.velocities, group.held_vectors);
+  group.router.send(group.markers.areas, group.held_areas);
+  forcing_.place(group.router.held(), group.held_areas, group.held_vectors, which);
 }
 
 void ImmersedBoundary::find_reactions(Bodies& bodies, MarkerGroup which, double step, Vec3 driving) {
   auto& group = group_of(which);
-  std::vector<Vec3> held(group.router.held().size()), forces(group.markers.areas.size());
-  forcing_.add_forces(held, which);
-  group.router.collect(held, forces);
+  auto& forces = group.own_vectors;
+  group.held_vectors.assign(group.router.held().size(), Vec3{});
+  forces.resize(group.markers.areas.size());
+  forcing_.add_forces(group.held_vectors, which);
+  group.router.collect(group.held_vectors, forces);
   for (const Part& p : group.parts) {
     Body& body = bodies.own()[p.body];
     const auto& kind = bodies.kind_of(body);
@@ -127,12 +131,13 @@ void ImmersedBoundary::find_reactions(Bodies& bodies, MarkerGroup which, double 
   }
 }
 
-std::vector<Vec3> ImmersedBoundary::flow_at_markers(const FlowState& flow, MarkerGroup which) {
+std::span<const Vec3> ImmersedBoundary::flow_at_markers(const FlowState& flow, MarkerGroup which) {
   auto& group = group_of(which);
-  std::vector<Vec3> held(group.router.held().size()), velocities(group.markers.areas.size());
-  forcing_.add_velocities(flow.u.view(), flow.v.view(), flow.w.view(), held, which);
-  group.router.collect(held, velocities);
-  return velocities;
+  group.held_vectors.assign(group.router.held().size(), Vec3{});
+  group.own_vectors.resize(group.markers.areas.size());
+  forcing_.add_velocities(flow.u.view(), flow.v.view(), flow.w.view(), group.held_vectors, which);
+  group.router.collect(group.held_vectors, group.own_vectors);
+  return group.own_vectors;
 }
 
 void ImmersedBoundary::measure_slip(Bodies& bodies, const FlowState& flow) {

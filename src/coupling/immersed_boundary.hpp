@@ -43,11 +43,15 @@ class ImmersedBoundary {
     PointRouter router;
     std::vector<Part> parts;
     MarkerSet markers;  // of this rank's bodies, one after the other
+    // Used again in every step.
+    MarkerSet of_body;
+    std::vector<Vec3> held_vectors, own_vectors;
+    std::vector<double> held_areas;
   };
   Group& group_of(MarkerGroup group) { return groups_[static_cast<std::size_t>(group)]; }
   void gather(Bodies& bodies, MarkerGroup which, Group& group) const;
   std::string find_outside(const Bodies& bodies, const Group& group) const;
-  std::vector<Vec3> flow_at_markers(const FlowState& flow, MarkerGroup which);
+  std::span<const Vec3> flow_at_markers(const FlowState& flow, MarkerGroup which);
 
   Grid grid_;
   double density_;

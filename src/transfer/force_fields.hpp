@@ -1,14 +1,11 @@
 #pragma once
-#include <vector>
-
-#include "boundary/periodic_ghosts.hpp"
 #include "parallel/slab_halo.hpp"
-#include "transfer/markers.hpp"
+#include "transfer/reached_rows.hpp"
 
 namespace pliant {
 
 /// A force on the fluid at the nodes of u, v and w, apart from the velocity, so that the order of bodies does not show.
-/// Only the parts of planes that markers reach are ever touched: the cost follows the bodies, not the box.
+/// Only the parts of rows that markers reach are ever touched: the cost follows the bodies, not the box.
 class ForceFields {
  public:
   explicit ForceFields(const Grid& grid);
@@ -30,19 +27,13 @@ class ForceFields {
   void add_to(double factor, View<FaceX> u, View<FaceY> v, View<FaceZ> w) const;
 
  private:
-  PlaneRegion& region(int k) { return regions_[static_cast<std::size_t>(k + 1)]; }
-  const PlaneRegion& region(int k) const { return regions_[static_cast<std::size_t>(k + 1)]; }
-  void include(const Markers& markers);
-  void include(const int (&first)[n_stencil_lines][mls_batch], int lane);
-  void widen();
-
   Grid grid_;
   Field<FaceX> x_;
   Field<FaceY> y_;
   Field<FaceZ> z_;
   SlabHalo halo_;
-  std::vector<PlaneRegion> regions_;  // of planes -1 .. nz
-  std::vector<PlaneRegion> always_;   // the part of the markers that stay
+  ReachedRows reached_;
+  ReachedRows always_;  // the part of the markers that stay
 };
 
 }  // namespace pliant

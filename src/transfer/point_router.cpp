@@ -51,21 +51,19 @@ void PointRouter::add_holders(double z, double reach, std::vector<int>& holders)
 
 void PointRouter::route(std::span<const Vec3> points, double reach) {
   n_own_ = points.size();
-  const auto ranks = static_cast<std::size_t>(shape_.grid().ranks().size());
-  std::vector<Vec3> wrapped(points.begin(), points.end());
-  for (Vec3& x : wrapped) shape_.bring_into_box(x);
+  wrapped_.assign(points.begin(), points.end());
+  for (Vec3& x : wrapped_) shape_.bring_into_box(x);
+  if (is_alone()) {
+    held_.swap(wrapped_);
+    return;
+  }
 
-  std::vector<std::vector<std::size_t>> to_rank(ranks);
-  if (ranks == 1) {
-    to_rank[0].resize(n_own_);
-    for (std::size_t n = 0; n < n_own_; ++n) to_rank[0][n] = n;
-  } else {
-    std::vector<int> holders;
-    for (std::size_t n = 0; n < n_own_; ++n) {
-      holders.clear();
-      add_holders(wrapped[n].z, reach, holders);
-      for (int r : holders) to_rank[static_cast<std::size_t>(r)].push_back(n);
-    }
+  std::vector<std::vector<std::size_t>> to_rank(static_cast<std::size_t>(shape_.grid().ranks().size()));
+  std::vector<int> holders;
+  for (std::size_t n = 0; n < n_own_; ++n) {
+    holders.clear();
+    add_holders(wrapped_[n].z, reach, holders);
+    for (int r : holders) to_rank[static_cast<std::size_t>(r)].push_back(n);
   }
   sent_index_.clear();
   std::vector<int> counts;
@@ -74,10 +72,14 @@ void PointRouter::route(std::span<const Vec3> points, double reach) {
     sent_index_.insert(sent_index_.end(), list.begin(), list.end());
   }
   exchange_.plan(counts);
-  send(wrapped, held_);
+  send(wrapped_, held_);
 }
 
 void PointRouter::send(std::span<const double> own, int width, std::vector<double>& held) const {
+  if (is_alone()) {
+    held.assign(own.begin(), own.end());
+    return;
+  }
   const auto w = static_cast<std::size_t>(width);
   std::vector<double> sent(sent_index_.size() * w);
   for (std::size_t s = 0; s < sent_index_.size(); ++s)
@@ -86,6 +88,10 @@ void PointRouter::send(std::span<const double> own, int width, std::vector<doubl
 }
 
 void PointRouter::send(std::span<const Vec3> own, std::vector<Vec3>& held) const {
+  if (is_alone()) {
+    held.assign(own.begin(), own.end());
+    return;
+  }
   std::vector<double> flat;
   send(numbers(own), 3, flat);
   held.resize(flat.size() / 3);
@@ -93,6 +99,10 @@ void PointRouter::send(std::span<const Vec3> own, std::vector<Vec3>& held) const
 }
 
 void PointRouter::collect(std::span<const double> held, int width, std::span<double> own) const {
+  if (is_alone()) {
+    std::copy(held.begin(), held.end(), own.begin());
+    return;
+  }
   const auto w = static_cast<std::size_t>(width);
   std::vector<double> returned;
   exchange_.backward(held, width, returned);

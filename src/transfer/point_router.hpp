@@ -14,8 +14,8 @@ class PointRouter {
  public:
   explicit PointRouter(const Grid& grid);
 
-  /// Takes this rank's points, all in the box; along periodic directions they are brought back into it. `reach`: how far
-  /// beyond the nodes of their stencils they are to be known along z. Collective. Throws nothing: use
+  /// Takes this rank's points, all in the box; along periodic directions they are brought back into it. `reach`: how
+  /// far beyond the nodes of their stencils they are to be known along z. Collective. Throws nothing: use
   /// `first_outside` before.
   void route(std::span<const Vec3> points, double reach = 0);
 
@@ -35,13 +35,15 @@ class PointRouter {
   void collect(std::span<const Vec3> held, std::span<Vec3> own) const;
 
  private:
+  // Then nothing has to travel, and all points are held in their own order.
+  bool is_alone() const { return shape_.grid().ranks().size() == 1; }
   void add_holders(double z, double reach, std::vector<int>& holders) const;
 
   MlsShape shape_;
   SparseExchange exchange_;
   std::size_t n_own_ = 0;
   std::vector<std::size_t> sent_index_;  // own index of every sent item, by destination
-  std::vector<Vec3> held_;
+  std::vector<Vec3> wrapped_, held_;
 };
 
 }  // namespace pliant
