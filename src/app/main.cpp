@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "app/command.hpp"
+#include "app/keep_memory.hpp"
 #include "app/session.hpp"
 #include "core/error.hpp"
 #include "core/version.hpp"
@@ -72,6 +73,7 @@ int run_program(int argc, char** argv, const Communicator& ranks) {
 }  // namespace pliant
 
 int main(int argc, char** argv) {
+  pliant::keep_freed_memory();
   pliant::Session session(argc, argv);
   const int code = pliant::run_program(argc, argv, pliant::Communicator());
   std::fflush(stdout);

@@ -254,6 +254,18 @@ TEST(ReadCase, RefusesGridsThatNobodyCanHave) {
   EXPECT_THAT(problems_of("box.stretching.z = { law = \"tanh\", strength = 40 }"), ElementsAre(HasSubstr("<= 10")));
 }
 
+TEST(ReadCase, ClusteredCellsHaveTheirOwnKeys) {
+  const auto box = read_text("box.stretching.z = { law = \"cluster\", center = 0.4, width = 0.25, growth = 0.03 }").box;
+  EXPECT_EQ(box.stretching_z.law, StretchingLaw::cluster);
+  EXPECT_EQ(box.stretching_z.center, 0.4);
+  EXPECT_EQ(box.stretching_z.width, 0.25);
+  EXPECT_EQ(box.stretching_z.growth, 0.03);
+  EXPECT_THAT(problems_of("box.stretching.z = { law = \"cluster\", center = 2 }"),
+              ElementsAre(HasSubstr("is 2, outside the box, which reaches from 0 to 1 along z")));
+  EXPECT_THAT(problems_of("box.stretching.z = { law = \"tanh\", center = 0.5 }"),
+              ElementsAre(HasSubstr("box.stretching.z.law is \"cluster\"")));
+}
+
 TEST(Validate, BodiesHaveTheirOwnNames) {
   const std::string body = "[[body]]\nname = \"a\"\ncoupling = \"one-way\"\nsurface = { shape = \"sphere\", radius = 0.1 }\n";
   EXPECT_THAT(problems_of(body + body), ElementsAre(HasSubstr("more than one body")));

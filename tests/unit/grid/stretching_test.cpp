@@ -13,8 +13,7 @@ std::vector<double> sizes(const std::vector<double>& faces) {
   return result;
 }
 
-constexpr StretchingConfig about_a_sphere{
-    .law = StretchingLaw::cluster, .center = 0.7, .width = 3.4, .growth = 0.06};
+constexpr StretchingConfig about_a_sphere{.law = StretchingLaw::cluster, .center = 0.7, .width = 3.4, .growth = 0.06};
 
 TEST(ClusteredFaces, FillTheBoxExactly) {
   for (const double center : {-5.0, -4.9, 0.7, 12.0}) {
@@ -42,9 +41,8 @@ TEST(ClusteredFaces, AreEvenInTheRangeAndGrowOutside) {
   EXPECT_NEAR(inside, 0.1, 1e-3);  // the number of cells was chosen for this
   for (std::size_t k = 1; k < size.size(); ++k) {
     // Faces are exponentials of their number: neighbours differ by the factor e^growth.
-    if (faces[k - 1] > 2.4) EXPECT_NEAR(size[k] / size[k - 1], std::exp(0.06), 1e-9);
-    // The last cell below is cut by the side of the box, as its face is put on the side exactly.
-    if (faces[k + 1] < -1.0) EXPECT_NEAR(size[k - 1] / size[k], std::exp(0.06), 1e-9);
+    if (faces[k - 1] > 2.4) { EXPECT_NEAR(size[k] / size[k - 1], std::exp(0.06), 1e-9); }
+    if (faces[k + 1] < -1.0) { EXPECT_NEAR(size[k - 1] / size[k], std::exp(0.06), 1e-9); }
   }
 }
 
@@ -58,7 +56,8 @@ TEST(ClusteredFaces, RefineAsAFamilyWhenTheGrowthShrinksAlong) {
   // Twice the cells with half the growth: every other face is one of the coarse grid's.
   auto fine = about_a_sphere;
   fine.growth = 0.03;
-  const auto coarse_faces = stretched_faces(about_a_sphere, 86, -5, 17), fine_faces = stretched_faces(fine, 172, -5, 17);
+  const auto coarse_faces = stretched_faces(about_a_sphere, 86, -5, 17),
+             fine_faces = stretched_faces(fine, 172, -5, 17);
   for (std::size_t k = 0; k < coarse_faces.size(); ++k) EXPECT_NEAR(coarse_faces[k], fine_faces[2 * k], 1e-11);
 }
 
