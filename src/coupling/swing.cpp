@@ -8,7 +8,7 @@ namespace pliant {
 namespace {
 
 constexpr int window = 4, fewest_reversals = 2;
-constexpr double growth = 1.05, growth_in_all = 10;
+constexpr double growth = 1.05, growth_in_all = 30;
 
 double extent_of(const BodyKind& kind) {
   double largest = 0;
