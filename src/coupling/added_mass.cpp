@@ -9,12 +9,25 @@
 
 namespace pliant {
 
-double added_mass_ratio(const BodyKind& kind, double fluid_density) {
+namespace {
+
+// The layer of fluid that markers take along adds to what the body moves in a flow without a grid. Balls of given
+// radius over spacing were measured: at 1.5, 3 and 5 loose coupling fails below about 4.3, 1.07 and 0.9 times the
+// fluid's density; this gives 3.6, 1.3 and 0.8.
+double added_mass(const BodyKind& kind, double area, double spacing) {
+  if (!kind.is_closed()) return area * (0.5 * std::sqrt(area) + spacing);
+  const double volume = kind.displaced.volume, radius = 3 * volume / area;
+  return volume * (0.5 + 7 * spacing * spacing / (radius * radius));
+}
+
+}  // namespace
+
+double added_mass_ratio(const BodyKind& kind, double fluid_density, double spacing) {
   if (!kind.is_free()) return 0;
   const auto& mesh = kind.prototype.mesh;
   const auto& positions = kind.prototype.positions;
   const double area = total_area(mesh, positions);
-  const double added = 0.5 * fluid_density * (kind.is_closed() ? kind.displaced.volume : area * std::sqrt(area));
+  const double added = fluid_density * added_mass(kind, area, spacing);
   if (kind.config.motion == MotionKind::rigid) return added / (kind.rigid.mass);
   // The added mass spread over the surface, about the axis.
   const auto areas = vertex_areas(mesh, positions);
