@@ -100,5 +100,8 @@ for ranks in (1, 3):
             BOX.replace("cells = [10, 10, 10]", "cells = [40, 40, 40]")
             + ball('motion = "fixed"\nmarker_refinement = 1', radius=1.5),
             [r"body\.ball.*too few markers.*marker_refinement"], ranks)
+    refused("box too thin for markers",
+            BOX.replace("cells = [10, 10, 10]", "cells = [10, 2, 10]").replace("[time]", 'y = "wall"\n[time]')
+            + ball('motion = "fixed"'), [r"box\.cells: 2 cells along y .*too few for markers"], ranks)
 
 sys.exit(harness.report())
