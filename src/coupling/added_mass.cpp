@@ -6,9 +6,9 @@
 
 #include "config/word.hpp"
 #include "mesh/geometry.hpp"
+#include "structure/placement.hpp"
 
 namespace pliant {
-
 namespace {
 
 // The layer of fluid that markers take along adds to what the body moves in a flow without a grid. Balls of given
@@ -18,6 +18,11 @@ double added_mass(const BodyKind& kind, double area, double spacing) {
   if (!kind.is_closed()) return area * (0.5 * std::sqrt(area) + spacing);
   const double volume = kind.displaced.volume, radius = 3 * volume / area;
   return volume * (0.5 + 7 * spacing * spacing / (radius * radius));
+}
+
+double virtual_ratio(const BodyKind& kind) {
+  if (kind.config.motion == MotionKind::rigid) return kind.rigid.virtual_mass / kind.rigid.mass;
+  return kind.hinge.virtual_inertia / kind.hinge.inertia;
 }
 
 }  // namespace
@@ -31,7 +36,9 @@ double added_mass_ratio(const BodyKind& kind, double fluid_density, double spaci
   if (kind.config.motion == MotionKind::rigid) return added / (kind.rigid.mass);
   // The added mass spread over the surface, about the axis.
   const auto areas = vertex_areas(mesh, positions);
-  const Vec3 axis = normalized(kind.hinge.axis), point = kind.hinge.point - kind.config.center;
+  // The prototype is not turned, the hinge is in the box.
+  const Mat3 back = rotation_about(kind.config.rotation.axis, -kind.config.rotation.angle);
+  const Vec3 axis = normalized(back * kind.hinge.axis), point = back * (kind.hinge.point - kind.config.center);
   double squares = 0;
   for (std::size_t v = 0; v < areas.size(); ++v) {
     const Vec3 arm = cross(axis, positions[v] - point);
@@ -58,8 +65,11 @@ CouplingKind choose_coupling(const BodyKind& kind, std::string& reason) {
     reason = fmt::format("as given; added mass about {:.2g} of its own", kind.added_mass_ratio);
     return asked;
   }
-  const bool light = kind.added_mass_ratio > largest_loose_ratio;
-  reason = fmt::format("added mass about {:.2g} of its own, {} {:.2g}", kind.added_mass_ratio,
+  const double helped = virtual_ratio(kind);
+  const double left = (kind.added_mass_ratio - helped) / (1 + helped);
+  const bool light = left > largest_loose_ratio;
+  reason = fmt::format("added mass about {:.2g} of its own{}, {} {:.2g}", kind.added_mass_ratio,
+                       helped > 0 ? fmt::format(", with what is virtual {:.2g}", left) : "",
                        light ? "above" : "at most", largest_loose_ratio);
   return light ? CouplingKind::strong : CouplingKind::loose;
 }

@@ -129,8 +129,30 @@ TEST(Schemes, AutoChoosesByTheAddedMass) {
   EXPECT_EQ(Column(column(4, CouplingKind::automatic)).bodies().kinds()[0].coupling, CouplingKind::loose);
   auto coarse = column(4, CouplingKind::automatic);
   coarse.box.cells = {12, 12, 12};
+  auto helped = column(1, CouplingKind::automatic);
+  EXPECT_EQ(Column(helped).bodies().kinds()[0].coupling, CouplingKind::strong);
+  helped.bodies[0].rigid.virtual_mass = 1.5;
+  helped.bodies[0].rigid.velocity = {0, 0, 0.5};
+  Column run(helped);
+  EXPECT_EQ(run.bodies().kinds()[0].coupling, CouplingKind::loose) << "virtual mass makes up for it";
+  for (int n = 0; n < 40; ++n) run.advance(0.01);
+  EXPECT_GT(run.velocity(), 0) << "and the ball glides on";
+  EXPECT_LT(run.velocity(), 0.5);
   EXPECT_EQ(Column(coarse).bodies().kinds()[0].coupling, CouplingKind::strong)
       << "markers take along more fluid on a coarse grid: loosely it is thrown out";
+}
+
+TEST(Schemes, TheAddedMassOfALeafletIsAboutItsHingeHoweverItIsTurned) {
+  // A plate in the plane x-y about its edge, and the same turned upright about the edge that this takes to the top.
+  auto config = column(1, CouplingKind::automatic);
+  auto flat = leaflet({});
+  flat.rotation = {};
+  flat.hinge.point = {-0.4, 0, 0};
+  config.bodies = {flat};
+  const double ratio = Column(config).bodies().kinds()[0].added_mass_ratio;
+  config.bodies = {leaflet({})};
+  EXPECT_NEAR(Column(config).bodies().kinds()[0].added_mass_ratio, ratio, 1e-12 * ratio);
+  EXPECT_GT(ratio, 0);
 }
 
 TEST(Schemes, LooseAndStrongDifferByTheFirstOrderOfTheStep) {
