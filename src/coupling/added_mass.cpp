@@ -34,9 +34,9 @@ double added_mass_ratio(const BodyKind& kind, double fluid_density, double spaci
   const double area = total_area(mesh, positions);
   const double added = fluid_density * added_mass(kind, area, spacing);
   if (kind.config.motion == MotionKind::rigid) return added / (kind.rigid.mass);
-  // The added mass spread over the surface, about the axis.
+  // The added mass spread over the surface, about the axis; the surface is where the prototype is, the hinge in the
+  // box.
   const auto areas = vertex_areas(mesh, positions);
-  // The prototype is not turned, the hinge is in the box.
   const Mat3 back = rotation_about(kind.config.rotation.axis, -kind.config.rotation.angle);
   const Vec3 axis = normalized(back * kind.hinge.axis), point = back * (kind.hinge.point - kind.config.center);
   double squares = 0;
