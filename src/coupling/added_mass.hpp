@@ -6,8 +6,9 @@
 namespace pliant {
 
 /// Fluid that a rigid or hinged body moves along, over the body's own mass (rigid) or inertia (hinge). Estimates: half
-/// of the displaced fluid for closed bodies; for open ones the fluid of a ball's slice, rho A sqrt(A) / 2.
-double added_mass_ratio(const BodyKind& kind, double fluid_density);
+/// of the displaced fluid for closed bodies, for open ones the fluid of a ball's slice, rho A sqrt(A) / 2; and what
+/// markers take along on a grid of that spacing, which is most of it where a body is few cells wide.
+double added_mass_ratio(const BodyKind& kind, double fluid_density, double spacing);
 
 /// Above this ratio "auto" couples strongly. Loose coupling answers an acceleration one step late and multiplies it by
 /// -(ratio - virtual) / (1 + virtual): it fails from 1 on, and needs some room.

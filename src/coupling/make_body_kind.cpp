@@ -169,7 +169,7 @@ BodyKind make_body_kind(const CaseConfig& config, std::size_t index, const Grid&
   kind.probes.length = body.traction.probe_length;
   kind.probes.density = config.fluid.density;
   kind.probes.viscosity = config.fluid.viscosity;
-  kind.added_mass_ratio = added_mass_ratio(kind, config.fluid.density);
+  kind.added_mass_ratio = added_mass_ratio(kind, config.fluid.density, mean_spacing(grid));
   std::string reason;
   kind.coupling = choose_coupling(kind, reason);
   require_enough_markers(kind, config, grid);

@@ -5,3 +5,6 @@ foreach(script bad_input bench_transfer examples failing_run restart)
     COMMAND ${PLIANT_PYTHON} ${CMAKE_CURRENT_LIST_DIR}/${script}.py $<TARGET_FILE:pliant> ${PLIANT_MPIRUN})
   set_tests_properties(regression.${script} PROPERTIES TIMEOUT 600 PROCESSORS 2)
 endforeach()
+add_test(NAME regression.body_faults
+  COMMAND ${PLIANT_PYTHON} ${CMAKE_CURRENT_LIST_DIR}/body_faults.py $<TARGET_FILE:pliant> ${PLIANT_MPIRUN})
+set_tests_properties(regression.body_faults PROPERTIES TIMEOUT 600 PROCESSORS 3)

@@ -1,3 +1,9 @@
+pliant_test(coupling_all_motions_test SOURCES ${CMAKE_CURRENT_LIST_DIR}/all_motions_test.cpp LIBS pliant_simulation
+  RANKS 1 2 3 4)
+pliant_test(coupling_many_bodies_test SOURCES ${CMAKE_CURRENT_LIST_DIR}/many_bodies_test.cpp LIBS pliant_simulation
+  RANKS 1 4)
+pliant_test(coupling_contact_test SOURCES ${CMAKE_CURRENT_LIST_DIR}/contact_test.cpp LIBS pliant_simulation RANKS 1 3)
+pliant_test(coupling_schemes_test SOURCES ${CMAKE_CURRENT_LIST_DIR}/schemes_test.cpp LIBS pliant_simulation RANKS 1 3)
 pliant_test(aitken_test SOURCES ${CMAKE_CURRENT_LIST_DIR}/aitken_test.cpp LIBS pliant_coupling RANKS 1 2 3 4)
 pliant_test(hinge_coupling_test SOURCES ${CMAKE_CURRENT_LIST_DIR}/hinge_coupling_test.cpp LIBS pliant_simulation RANKS 1 2 3 4)
 target_include_directories(hinge_coupling_test PRIVATE ${CMAKE_SOURCE_DIR}/tests)
