@@ -1,2 +1,3 @@
 pliant_test(hamming_test SOURCES ${CMAKE_CURRENT_LIST_DIR}/hamming_test.cpp LIBS pliant_coupling)
 pliant_test(swing_test SOURCES ${CMAKE_CURRENT_LIST_DIR}/swing_test.cpp LIBS pliant_coupling)
+pliant_test(added_mass_test SOURCES ${CMAKE_CURRENT_LIST_DIR}/added_mass_test.cpp LIBS pliant_coupling)
