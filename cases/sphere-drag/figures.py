@@ -36,7 +36,7 @@ def drag(axes, corrected, reference):
     re = np.linspace(30, 200, 100)
     axes.plot(re, 24 / re * (1 + 0.1935 * re**0.6305), color="0.6", label="Clift, Grace & Weber")
     axes.plot(list(reference), [r[0] for r in reference.values()], "k_", markersize=16, label="reference")
-    for n, marker in ((10, "v"), (14, "s"), (20, "o")):
+    for n, marker in ((10, "v"), (14, "s"), (16, "D"), (20, "o")):
         points = sorted((key[0], value[0]) for key, value in corrected.items() if key[1] == n)
         if points:
             axes.plot(*zip(*points), marker, markersize=5, markerfacecolor="none", color=COLOR[100],
