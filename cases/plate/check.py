@@ -63,13 +63,29 @@ def angle_table(results):
     return "\n".join(lines)
 
 
-def sensitivity_table(rows):
-    lines = ["| cells a chord | box, chords | drag | lift | drag / acting area | lift / acting area | minutes |",
-             "|" + "---|" * 7]
+def along_plate(c, angle):
+    """Normal and tangential force coefficient."""
+    sine, cosine = np.sin(np.radians(angle)), np.cos(np.radians(angle))
+    return c["lift"] * cosine + c["drag"] * sine, c["drag"] * cosine - c["lift"] * sine
+
+
+def sensitivity_table(rows, angle=30):
+    lines = ["| cells a chord | box, chords | drag | lift | normal | tangential | drag / acting area | lift / acting area | minutes |",
+             "|" + "---|" * 9]
+
+    def line(spacing, box, c, minutes):
+        normal, tangential = along_plate(c, angle)
+        lines.append(f"| {spacing} | {box} | {c['drag']:.3f} | {c['lift']:.3f} | {normal:.3f} | {tangential:.3f} | "
+                     f"{c['drag'] / c['area']:.3f} | {c['lift'] / c['area']:.3f} | {minutes} |")
+
     for spacing, size, c in rows:
         part = "whole plate" if size == WHOLE else "half"
-        lines.append(f"| {spacing} | {size[0]} x {size[1]} x {size[2]}, {part} | {c['drag']:.4f} | {c['lift']:.4f} | "
-                     f"{c['drag'] / c['area']:.4f} | {c['lift'] / c['area']:.4f} | {c['minutes']:.1f} |")
+        line(spacing, f"{size[0]} x {size[1]} x {size[2]}, {part}", c, f"{c['minutes']:.1f}")
+    spacings = [1 / n for n, size, _ in rows if size == BOX]
+    limit = {key: float(np.polyfit(spacings, [c[key] for _, size, c in rows if size == BOX], 1)[1])
+             for key in ("drag", "lift")}
+    line("no spacing", "straight line through the four grids", {**limit, "area": 1.0}, "")
+    line("experiment", "", {"drag": measured_at("drag", angle), "lift": measured_at("lift", angle), "area": 1.0}, "")
     return "\n".join(lines)
 
 

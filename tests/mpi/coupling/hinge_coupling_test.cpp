@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/error.hpp"
+#include "coupling/make_body_kind.hpp"
 #include "mpi/io/shared_folder.hpp"
 #include "simulation/simulation.hpp"
 
@@ -105,6 +106,25 @@ TEST(HeavyLeaflet, MovesAlikeByBothCouplings) {
   EXPECT_GT(fastest, 0.1);
   EXPECT_LT(coarse, 0.04 * fastest);
   EXPECT_LT(fine, 0.65 * coarse);
+}
+
+// The same leaflet, laid down or stood up by its rotation, is as light, and so is coupled alike by "auto".
+TEST(AddedMass, OfAHingeDoesNotDependOnHowTheLeafletWasTurned) {
+  auto config = leaflet_in_channel(0.1);
+  auto& leaflet = config.bodies[0];
+  const auto ratio = [&] {
+    const Grid grid(config.box, config.boundary, Communicator());
+    return make_body_kind(config, 0, grid).added_mass_ratio;
+  };
+  const double upright = ratio();
+  EXPECT_GT(upright, 1);
+  leaflet.rotation = {};
+  leaflet.hinge.point = leaflet.center + Vec3{-0.3, 0, 0};
+  EXPECT_NEAR(ratio(), upright, 1e-12 * upright);
+  leaflet.rotation = {{0, 0, 1}, 90};
+  leaflet.hinge.point = leaflet.center + Vec3{0, -0.3, 0};
+  leaflet.hinge.axis = {1, 0, 0};
+  EXPECT_NEAR(ratio(), upright, 1e-12 * upright);
 }
 
 TEST(LightLeaflet, IsFoundUnstableUnderLooseCoupling) {
