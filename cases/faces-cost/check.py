@@ -130,7 +130,7 @@ def main():
     grids = ["small"] if arguments.quick else ["paper", "small"]
     samples = {grid: measure(arguments, binary, grid) for grid in grids}
 
-    verdict = common.Verdict()
+    verdict = common.Bounds()
     if not arguments.quick:
         for motion in MOTIONS:
             verdict.within(f"{motion}: a step with 32,000 faces over one with 320",

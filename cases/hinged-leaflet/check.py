@@ -192,9 +192,9 @@ def main():
     print("\n" + text)
     picture = Path(arguments.out) / "hinged-leaflet.png"
     draw(study, light, heavy, picture)
-    (Path(arguments.out) / "results.md").write_text(text + "\n\n" + bounds.table() + "\n")
+    (Path(arguments.out) / "results.md").write_text(text + "\n\n" + bounds.markdown() + "\n")
     print(f"\nfigure: {picture}")
-    return 0 if bounds.all_hold() else 1
+    return 0 if bounds.passes else 1
 
 
 if __name__ == "__main__":

@@ -148,9 +148,9 @@ def main():
                            abs(percent(c[name], measured_at(name, a))), BOUND, " %")
     picture = Path(arguments.out) / "plate.png"
     draw(results, folders, picture)
-    (Path(arguments.out) / "results.md").write_text(text + "\n\n" + bounds.table() + "\n")
+    (Path(arguments.out) / "results.md").write_text(text + "\n\n" + bounds.markdown() + "\n")
     print(f"figure: {picture}")
-    return 0 if bounds.all_hold() else 1
+    return 0 if bounds.passes else 1
 
 
 if __name__ == "__main__":

@@ -60,7 +60,7 @@ def corrected(results, reynolds, n):
 
 
 def judge(results, quick):
-    verdict, slack = common.Verdict(), 2 if quick else 1
+    verdict, slack = common.Bounds(), 2 if quick else 1
     for reynolds, (drag, wake, angle) in REFERENCE.items():
         n = 10 if quick else FINEST[reynolds]
         measured = corrected(results, reynolds, n)
