@@ -179,10 +179,11 @@ TEST(Schemes, HammingAndAitkenAgreeAsTheStepShrinks) {
     Column hamming(config);
     aitken.advance_to(0.24, step);
     hamming.advance_to(0.24, step);
-    EXPECT_NEAR(hamming.velocity() / aitken.velocity(), 1.0, 0.05);
-    differences.push_back(std::abs(hamming.velocity() - aitken.velocity()));
+    differences.push_back(std::abs(hamming.velocity() / aitken.velocity() - 1));
   }
-  EXPECT_LT(differences[1], differences[0] / 2) << "at least of first order: a quarter of the step";
+  // Both are of first order in how they take the load: a quarter of the step is a quarter of the difference, or less.
+  EXPECT_LT(differences[1], differences[0] / 2);
+  EXPECT_LT(differences[1], 0.05);
 }
 
 TEST(Schemes, WhatTheMarkersTakeFromTheFlowTheyGiveToTheBodies) {
