@@ -82,7 +82,7 @@ class Verdict:
     def within(self, what, value, low, high, unit=""):
         met = low <= value <= high
         self.passes &= met
-        self.lines.append((what, f"{value:.3g}{unit}", f"{low:g} to {high:g}{unit}", "pass" if met else "**MISSED**"))
+        self.lines.append((what, f"{value:.4g}{unit}", f"{low:g} to {high:g}{unit}", "pass" if met else "**MISSED**"))
         return met
 
     def markdown(self):
