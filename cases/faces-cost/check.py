@@ -135,7 +135,7 @@ def main():
         for motion in MOTIONS:
             verdict.within(f"{motion}: a step with 32,000 faces over one with 320",
                            relative(samples["paper"], motion, COUNTS[-1])[0], 0, BOUND)
-    report = make_run(arguments.out, grids[0], MOTIONS[0], COUNTS[0], 0).report()
+    report = make_run(arguments.out, grids[0], next(iter(MOTIONS)), COUNTS[0], 0).report()
     command = f"cases/faces-cost/check.py{' --quick' if arguments.quick else ''} --repeats {arguments.repeats}"
     text = common.how_measured(report, command)
     for grid, values in samples.items():
