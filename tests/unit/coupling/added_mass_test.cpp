@@ -8,6 +8,7 @@ namespace {
 BodyKind sphere_of(double density) {
   BodyKind kind;
   kind.config.motion = MotionKind::rigid;
+  kind.rigid.mass = density;
   kind.added_mass_ratio = 0.5 / density;  // the fluid has density 1
   return kind;
 }
