@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -109,21 +110,25 @@ void Bodies::migrate() {
     return true;
   });
   for (std::size_t r = 0; r < writers.size(); ++r) outgoing[r] = writers[r].take();
+  long n_arrived = 0;
   for (const auto& bytes : exchange_bytes(grid_.ranks(), outgoing)) {
     ByteReader reader(bytes);
     while (reader.remaining() > 0) {
       const auto id = reader.read<long>();
       bodies_.push_back(read(id, reader));
+      ++n_arrived;
     }
   }
-  sort_and_count();
+  sort_and_count(n_arrived);
 }
 
-void Bodies::sort_and_count() {
+void Bodies::sort_and_count(long n_arrived) {
   std::sort(bodies_.begin(), bodies_.end(), [](const Body& a, const Body& b) { return a.id < b.id; });
-  const long present = grid_.ranks().sum(static_cast<long>(bodies_.size()));
-  if (present != count())
-    throw CollectiveError(fmt::format("{} of {} bodies are left: bodies were lost between ranks", present, count()));
+  std::array<double, 2> sums{static_cast<double>(bodies_.size()), static_cast<double>(n_arrived)};
+  grid_.ranks().sum(sums);
+  if (sums[1] > 0) ++arrangement_;
+  if (sums[0] != static_cast<double>(count()))
+    throw CollectiveError(fmt::format("{} of {} bodies are left: bodies were lost between ranks", sums[0], count()));
 }
 
 Body Bodies::read(long id, ByteReader& reader) const {
@@ -160,7 +165,7 @@ void Bodies::restore(const std::vector<BodyBlob>& saved) {
   agree(grid_.ranks(), problem);
   bodies_ = std::move(bodies);
   if (grid_.ranks().size() > 1) migrate();
-  else sort_and_count();
+  else sort_and_count(0);
 }
 
 }  // namespace pliant

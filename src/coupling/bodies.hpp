@@ -1,5 +1,6 @@
 #pragma once
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/body_blob.hpp"
@@ -31,6 +32,9 @@ class Bodies {
   std::span<const Body> own() const { return bodies_; }
   /// A body, if this rank holds it; else null.
   const Body* find(long id) const;
+  Body* find(long id) { return const_cast<Body*>(std::as_const(*this).find(id)); }
+  /// Changes, on all ranks alike, whenever a body has changed its rank.
+  long arrangement() const { return arrangement_; }
 
   /// Hands bodies that have left this rank's slab to their new ranks. Collective. Throws CollectiveError if a body was
   /// lost.
@@ -47,12 +51,13 @@ class Bodies {
   Body blank_copy(std::size_t kind, long id) const;
   Body make_copy(std::size_t kind, long id, const Placement& placement) const;
   Body read(long id, ByteReader& reader) const;
-  void sort_and_count();
+  void sort_and_count(long n_arrived);
 
   Grid grid_;
   std::vector<BodyKind> kinds_;
   std::vector<long> first_id_;
   std::vector<Body> bodies_;
+  long arrangement_ = 0;
 };
 
 }  // namespace pliant

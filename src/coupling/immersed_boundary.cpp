@@ -62,31 +62,32 @@ ImmersedBoundary::ImmersedBoundary(const Grid& grid, const CaseConfig& config)
       forcing_(grid, config.fluid.density, config.immersed_boundary.forcing_iterations),
       groups_{Group(grid), Group(grid)} {}
 
-void ImmersedBoundary::gather(Bodies& bodies, MarkerGroup which, Group& group) const {
+void ImmersedBoundary::gather(const Bodies& bodies, MarkerGroup which, Group& group) const {
   group.parts.clear();
   for (auto* vectors : {&group.markers.positions, &group.markers.velocities, &group.markers.normals}) vectors->clear();
   group.markers.areas.clear();
   MarkerSet& of_body = group.of_body;
-  const auto own = bodies.own();
-  for (std::size_t b = 0; b < own.size(); ++b) {
-    Body& body = own[b];
+  for (const Body& body : bodies.own()) {
     const auto& kind = bodies.kind_of(body);
     if (!belongs(kind, which)) continue;
-    kind.layout.place_inside(body.surface.positions, body.surface.velocities, kind.retraction, of_body);
+    group.positions.resize(kind.reference.size());
+    group.velocities.resize(kind.reference.size());
+    place_vertices(body.told, kind.reference, group.positions, group.velocities);
+    kind.layout.place_inside(group.positions, group.velocities, kind.retraction, of_body);
     const std::size_t begin = group.markers.areas.size();
     append(group.markers.positions, of_body.positions);
     append(group.markers.velocities, of_body.velocities);
     append(group.markers.normals, of_body.normals);
     append(group.markers.areas, of_body.areas);
-    group.parts.push_back({b, begin, group.markers.areas.size()});
-    body.told = body.pose;
+    group.parts.push_back({body.id, begin, group.markers.areas.size()});
   }
 }
 
-std::string ImmersedBoundary::find_outside(const Bodies& bodies, const Group& group) const {
-  for (const Part& p : group.parts) {
-    const Body& body = bodies.own()[p.body];
-    const auto vertex = group.router.first_outside(body.surface.positions);
+std::string ImmersedBoundary::find_outside(const Bodies& bodies, MarkerGroup which) const {
+  const auto& router = groups_[static_cast<std::size_t>(which)].router;
+  for (const Body& body : bodies.own()) {
+    if (!belongs(bodies.kind_of(body), which)) continue;
+    const auto vertex = router.first_outside(body.surface.positions);
     if (vertex == body.surface.positions.size()) continue;
     const Vec3 x = body.surface.positions[vertex];
     return fmt::format(
@@ -98,9 +99,16 @@ std::string ImmersedBoundary::find_outside(const Bodies& bodies, const Group& gr
 }
 
 void ImmersedBoundary::place(Bodies& bodies, MarkerGroup which) {
+  agree(grid_.ranks(), find_outside(bodies, which));
+  for (Body& body : bodies.own())
+    if (belongs(bodies.kind_of(body), which)) body.told = body.pose;
+  place_as_told(bodies, which);
+}
+
+void ImmersedBoundary::place_as_told(const Bodies& bodies, MarkerGroup which) {
   auto& group = group_of(which);
   gather(bodies, which, group);
-  agree(grid_.ranks(), find_outside(bodies, group));
+  group.arrangement = bodies.arrangement();
   group.router.route(group.markers.positions);
   group.router.send(group.markers.velocities, group.held_vectors);
   group.router.send(group.markers.areas, group.held_areas);
@@ -115,7 +123,7 @@ void ImmersedBoundary::find_reactions(Bodies& bodies, MarkerGroup which, double 
   forcing_.add_forces(group.held_vectors, which);
   group.router.collect(group.held_vectors, forces);
   for (const Part& p : group.parts) {
-    Body& body = bodies.own()[p.body];
+    Body& body = *bodies.find(p.body);
     const auto& kind = bodies.kind_of(body);
     auto& loads = body.loads;
     loads.reaction =
@@ -141,11 +149,13 @@ std::span<const Vec3> ImmersedBoundary::flow_at_markers(const FlowState& flow, M
 }
 
 void ImmersedBoundary::measure_slip(Bodies& bodies, const FlowState& flow) {
+  // The markers of a body that has changed ranks since the step are with its old one.
+  if (group_of(MarkerGroup::moving).arrangement != bodies.arrangement()) place_as_told(bodies, MarkerGroup::moving);
   for (const MarkerGroup which : {MarkerGroup::fixed, MarkerGroup::moving}) {
     const auto velocities = flow_at_markers(flow, which);
     const auto& group = group_of(which);
     for (const Part& p : group.parts)
-      bodies.own()[p.body].slip =
+      bodies.find(p.body)->slip =
           pliant::measure_slip(part(velocities, p.begin, p.end), part(group.markers.velocities, p.begin, p.end),
                                part(group.markers.normals, p.begin, p.end), part(group.markers.areas, p.begin, p.end));
   }
@@ -156,7 +166,7 @@ void ImmersedBoundary::adopt_inner_motion(Bodies& bodies, const FlowState& flow)
     const auto velocities = flow_at_markers(flow, which);
     const auto& group = group_of(which);
     for (const Part& p : group.parts) {
-      Body& body = bodies.own()[p.body];
+      Body& body = *bodies.find(p.body);
       const RigidState inside =
           rigid_fit(part(group.markers.positions, p.begin, p.end), part(velocities, p.begin, p.end),
                     part(group.markers.areas, p.begin, p.end), body.pose.center);

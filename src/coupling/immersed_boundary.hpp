@@ -35,7 +35,7 @@ class ImmersedBoundary {
 
  private:
   struct Part {
-    std::size_t body = 0;  // index among the rank's own bodies
+    long body = 0;  // its id: bodies may change ranks until the next placement
     std::size_t begin = 0, end = 0;
   };
   struct Group {
@@ -47,10 +47,13 @@ class ImmersedBoundary {
     MarkerSet of_body;
     std::vector<Vec3> held_vectors, own_vectors;
     std::vector<double> held_areas;
+    std::vector<Vec3> positions, velocities;
+    long arrangement = 0;  // of the bodies when they were placed
   };
   Group& group_of(MarkerGroup group) { return groups_[static_cast<std::size_t>(group)]; }
-  void gather(Bodies& bodies, MarkerGroup which, Group& group) const;
-  std::string find_outside(const Bodies& bodies, const Group& group) const;
+  void place_as_told(const Bodies& bodies, MarkerGroup which);
+  void gather(const Bodies& bodies, MarkerGroup which, Group& group) const;
+  std::string find_outside(const Bodies& bodies, MarkerGroup which) const;
   std::span<const Vec3> flow_at_markers(const FlowState& flow, MarkerGroup which);
 
   Grid grid_;

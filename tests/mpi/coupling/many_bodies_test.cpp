@@ -175,6 +175,41 @@ TEST(ManyBodies, SomeThroughEachOfTheSixSidesByTheirPaths) {
   });
 }
 
+/// Slip and reaction of every body after every step of a run.
+std::vector<Vec3> slips_and_reactions(const CaseConfig& config, const Communicator& ranks,
+                                      const std::filesystem::path& folder) {
+  Simulation simulation(config, ranks, silent(folder));
+  std::vector<Vec3> all;
+  simulation.run([&](const Simulation& now) {
+    for (const auto& numbers :
+         {all_vectors(now.bodies(), [](const Body& b) { return Vec3{b.slip.rms(), b.slip.largest, b.slip.flux}; }),
+          all_vectors(now.bodies(), [](const Body& b) { return b.loads.reaction.force; })})
+      all.insert(all.end(), numbers.begin(), numbers.end());
+  });
+  return all;
+}
+
+// Bodies change ranks between the step and its diagnostics.
+TEST(ManyBodies, SlipAndReactionGoAlongFromRankToRank) {
+  auto config = small_box({9, 8, 10});
+  config.initial.flow = InitialFlow::perturbed;
+  config.time.step = 0.05;
+  config.time.max_steps = 20;
+  config.fluid.viscosity = 0.5;
+  config.output.history.every = 1;
+  config.bodies = {balls("up", MotionKind::prescribed, 20, 0.2), balls("post", MotionKind::fixed, 5, 0.2)};
+  config.bodies[0].path.z = "1.6*t";
+  const SharedFolder owner;
+  const Communicator world, alone(MPI_COMM_SELF);
+  const auto shared = slips_and_reactions(config, world, owner.path() / "shared");
+  const auto own = slips_and_reactions(config, alone, owner.path() / ("alone-" + std::to_string(world.rank())));
+  ASSERT_EQ(shared.size(), own.size());
+  for (std::size_t n = 0; n < own.size(); ++n) {
+    EXPECT_LT(norm(shared[n] - own[n]), 1e-11 * (1 + norm(own[n]))) << "number " << n;
+    if (n >= 50) { EXPECT_GT(norm(own[n]), 0) << "number " << n; }
+  }
+}
+
 TEST(ManyBodies, AHeapOnTheFloor) {
   constexpr double radius = 0.35;
   auto config = small_box({16, 16, 17});
