@@ -25,19 +25,42 @@ def find_binary(given=None):
     raise RunFailed(f"no program at {given or REPOSITORY / 'build/release/pliant'}: build it, or name it with --binary")
 
 
-def read_arguments(description, name):
+def positive(text):
+    """A whole number above 0, for argparse."""
+    number = int(text)
+    if number < 1:
+        raise ValueError
+    return number
+
+
+def read_arguments(description, name, quick="only the runs that take minutes", further=None):
+    """The options that checks share; `further(parser)` adds those of one check."""
     parser = argparse.ArgumentParser(description=description)
-    parser.add_argument("--quick", action="store_true", help="only the runs that take minutes")
+    parser.add_argument("--quick", action="store_true", help=quick)
     parser.add_argument("--reuse", action="store_true", help="keep finished runs of the same settings")
     parser.add_argument("--binary", help="the program (default: build/release/pliant)")
     parser.add_argument("--out", type=Path, default=REPOSITORY / "out" / name, help="folder for everything")
     parser.add_argument("--update-readme", action="store_true", help="put tables and figure into the case's folder")
+    if further is not None:
+        further(parser)
     arguments = parser.parse_args()
     if arguments.quick and arguments.update_readme:
         parser.error("--update-readme needs all runs")
     arguments.binary = find_binary(arguments.binary)
     arguments.out.mkdir(parents=True, exist_ok=True)
     return arguments
+
+
+def conclude(arguments, case, text, bounds, draw):
+    """Leaves the text and the figure that draw(file) makes in OUT, or in the case's folder if its README is to be brought up
+    to date. Returns the exit code."""
+    (arguments.out / "results.md").write_text(text.strip() + "\n")
+    picture = (case if arguments.update_readme else arguments.out) / f"{case.name}.png"
+    draw(picture)
+    if arguments.update_readme:
+        update_readme(case / "README.md", text)
+    print(f"\n{text}\nFigure: {os.path.relpath(picture)}\n{'PASS' if bounds.passes else 'FAIL'}")
+    return 0 if bounds.passes else 1
 
 
 def toml_value(value):

@@ -1,7 +1,5 @@
 #!/usr/bin/python3
 """Time of a step against the number of faces, for fixed and for free bodies: runs, compares, draws. See README.md."""
-import argparse
-import os
 import random
 import statistics
 import sys
@@ -46,7 +44,7 @@ def costs(run):
     return (phases["fluid"] - forcing) / steps, bodies / steps
 
 
-def measure(arguments, binary, grid):
+def measure(arguments, grid):
     """For every motion and count the (flow, bodies) of all repeats; the runs in random order within a repeat."""
     samples = {(motion, count): [] for motion in MOTIONS for count in COUNTS}
     order = random.Random(1)
@@ -55,7 +53,7 @@ def measure(arguments, binary, grid):
         order.shuffle(keys)
         for motion, count in keys:
             run = make_run(arguments.out, grid, motion, count, repeat)
-            run.execute(binary, arguments.reuse)
+            run.execute(arguments.binary, arguments.reuse)
             samples[motion, count].append(costs(run))
     return samples
 
@@ -108,27 +106,13 @@ def draw(all_samples, path):
     plt.close(figure)
 
 
-def read_arguments():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--quick", action="store_true", help="only the small grid, which is reported and not judged")
-    parser.add_argument("--repeats", type=int, default=3, help="of every run; the median counts")
-    parser.add_argument("--reuse", action="store_true", help="keep finished runs of the same command")
-    parser.add_argument("--binary", help="the program (default: build/release/pliant)")
-    parser.add_argument("--out", type=Path, default=common.REPOSITORY / "out" / "faces-cost")
-    parser.add_argument("--update-readme", action="store_true", help="put table and figure into the README")
-    arguments = parser.parse_args()
-    if arguments.repeats < 1:
-        parser.error("--repeats must be at least 1")
-    if arguments.update_readme and arguments.quick:
-        parser.error("--update-readme needs both grids")
-    return arguments
-
-
 def main():
-    arguments = read_arguments()
-    binary = common.find_binary(arguments.binary)
+    arguments = common.read_arguments(
+        __doc__, "faces-cost", quick="only the small grid, which is reported and not judged",
+        further=lambda parser: parser.add_argument("--repeats", type=common.positive, default=3,
+                                                   help="of every run; the median counts"))
     grids = ["small"] if arguments.quick else ["paper", "small"]
-    samples = {grid: measure(arguments, binary, grid) for grid in grids}
+    samples = {grid: measure(arguments, grid) for grid in grids}
 
     verdict = common.Bounds()
     if not arguments.quick:
@@ -141,19 +125,8 @@ def main():
     for grid, values in samples.items():
         text += f"\n### {' x '.join(map(str, GRIDS[grid]))} cells\n{table(values)}"
     text += f"\n### Bounds\n{verdict.markdown()}"
-    (arguments.out / "results.md").write_text(text)
-    picture = CASE / "faces-cost.png" if arguments.update_readme else arguments.out / "faces-cost.png"
-    draw(samples, picture)
-    if arguments.update_readme:
-        common.update_readme(CASE / "README.md", text)
-    print("\n" + text + f"\nFigure: {os.path.relpath(picture)}\n{'PASS' if verdict.passes else 'FAIL'}")
-    return 0 if verdict.passes else 1
+    return common.conclude(arguments, CASE, text, verdict, lambda picture: draw(samples, picture))
 
 
 if __name__ == "__main__":
-    try:
-        sys.exit(main())
-    except common.RunFailed as problem:
-        sys.exit(f"check.py: {problem}")
-    except KeyboardInterrupt:
-        sys.exit(130)
+    sys.exit(main())

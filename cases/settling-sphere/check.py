@@ -1,7 +1,6 @@
 #!/usr/bin/python3
 """The settling spheres E1 and E4 of ten Cate et al. (2002): runs, compares, draws. See README.md."""
 import math
-import shutil
 import sys
 from pathlib import Path
 
@@ -186,14 +185,7 @@ def main():
         parts += ["### Probes as the load\nE4.\n\n" + probes_table(results, driven),
                   "### A sphere a tenth as heavy as the fluid rises\nSpeed in m/s, 7.5 cells a diameter.\n\n" + light]
     text = "\n\n".join([bounds.markdown(), *parts])
-    print("\n" + text)
-    (arguments.out / "results.md").write_text(text + "\n")
-    draw(results, arguments.out / "settling-sphere.png")
-    if arguments.update_readme:
-        common.update_readme(CASE / "README.md", text)
-        shutil.copy(arguments.out / "settling-sphere.png", CASE)
-    print(f"{'FAIL' if not bounds.passes else 'PASS'}: see {arguments.out}")
-    return 1 if not bounds.passes else 0
+    return common.conclude(arguments, CASE, text, bounds, lambda picture: draw(results, picture))
 
 
 if __name__ == "__main__":

@@ -1,8 +1,6 @@
 #!/usr/bin/python3
 """Drag, wake length and separation angle of a fixed sphere at Re = 50, 100, 150: runs, compares, draws. See README.md."""
-import argparse
 import math
-import os
 import sys
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
@@ -107,32 +105,18 @@ def tables(results):
     return main, side
 
 
-def read_arguments():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--quick", action="store_true", help="10 cells a diameter only, judged by twice the bounds")
-    parser.add_argument("--jobs", type=int, default=1, help="runs at a time")
-    parser.add_argument("--reuse", action="store_true", help="keep finished runs of the same command")
-    parser.add_argument("--binary", help="the program (default: build/release/pliant)")
-    parser.add_argument("--out", type=Path, default=common.REPOSITORY / "out" / "sphere-drag")
-    parser.add_argument("--update-readme", action="store_true", help="put tables and figure into the README")
-    arguments = parser.parse_args()
-    if arguments.jobs < 1:
-        parser.error("--jobs must be at least 1")
-    if arguments.update_readme and arguments.quick:
-        parser.error("--update-readme needs the full set of runs")
-    return arguments
-
-
 def main():
-    arguments = read_arguments()
+    arguments = common.read_arguments(
+        __doc__, "sphere-drag", quick="10 cells a diameter only, judged by twice the bounds",
+        further=lambda parser: parser.add_argument("--jobs", type=common.positive, default=1, help="runs at a time"))
     import evaluate  # need numpy, h5py and matplotlib, which need not be there for --help
     import figures
 
-    binary, runs = common.find_binary(arguments.binary), {}
+    runs = {}
     for key in sorted(plan(arguments.quick), key=lambda key: -key[1] * key[2]):
         runs[key] = make_run(arguments.out, *key)
     with ThreadPoolExecutor(arguments.jobs) as pool:
-        list(pool.map(lambda run: run.execute(binary, arguments.reuse), runs.values()))
+        list(pool.map(lambda run: run.execute(arguments.binary, arguments.reuse), runs.values()))
     results = {key: evaluate.evaluate(run) for key, run in runs.items()}
 
     verdict = judge(results, arguments.quick)
@@ -141,20 +125,9 @@ def main():
     text = (common.how_measured(runs[100, finest, WIDTH].report(),
                                 "cases/sphere-drag/check.py" + (" --quick" if arguments.quick else ""))
             + f"\n{main_table}\n### Blockage, 10 cells a diameter\n{blockage_table}\n### Bounds\n{verdict.markdown()}")
-    (arguments.out / "results.md").write_text(text)
-    picture = CASE / "sphere-drag.png" if arguments.update_readme else arguments.out / "sphere-drag.png"
-    figures.draw(runs, results, {key: corrected(results, *key[:2]) for key in runs if key[2] == WIDTH}, REFERENCE,
-                 picture)
-    if arguments.update_readme:
-        common.update_readme(CASE / "README.md", text)
-    print("\n" + text + f"\nFigure: {os.path.relpath(picture)}\n{'PASS' if verdict.passes else 'FAIL'}")
-    return 0 if verdict.passes else 1
+    return common.conclude(arguments, CASE, text, verdict, lambda picture: figures.draw(
+        runs, results, {key: corrected(results, *key[:2]) for key in runs if key[2] == WIDTH}, REFERENCE, picture))
 
 
 if __name__ == "__main__":
-    try:
-        sys.exit(main())
-    except common.RunFailed as problem:
-        sys.exit(f"check.py: {problem}")
-    except KeyboardInterrupt:
-        sys.exit(130)
+    sys.exit(main())

@@ -1,6 +1,5 @@
 #!/usr/bin/python3
 """The spin of a neutrally buoyant sphere in plane Couette flow: runs, compares, draws. See README.md."""
-import shutil
 import sys
 from pathlib import Path
 
@@ -72,14 +71,7 @@ def main():
         if reynolds <= 0.1:
             bounds.near(f"spin / gamma, {cells} cells a radius, run {name}", body["omega_y"][-1], 0.5, LIMIT)
     text = bounds.markdown() + "\n\n" + results_table(results)
-    print("\n" + text)
-    (arguments.out / "results.md").write_text(text + "\n")
-    draw(results, arguments.out / "sphere-in-shear.png")
-    if arguments.update_readme:
-        common.update_readme(CASE / "README.md", text)
-        shutil.copy(arguments.out / "sphere-in-shear.png", CASE)
-    print(f"{'FAIL' if not bounds.passes else 'PASS'}: see {arguments.out}")
-    return 1 if not bounds.passes else 0
+    return common.conclude(arguments, CASE, text, bounds, lambda picture: draw(results, picture))
 
 
 if __name__ == "__main__":

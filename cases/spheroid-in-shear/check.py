@@ -1,7 +1,6 @@
 #!/usr/bin/python3
 """A prolate spheroid in plane Couette flow against the orbit of Jeffery (1922): runs, compares, draws. See README.md."""
 import math
-import shutil
 import sys
 from pathlib import Path
 
@@ -112,14 +111,7 @@ def main():
         limit = third - (third - second) ** 2 / (third - 2 * second + first)
         text += (f"\n\nStep to 0, by Aitken's rule from the three runs with 4 cells: gamma T = {limit:.3f}, "
                  f"{100 * (limit / PERIOD - 1):+.2f} %.")
-    print("\n" + text)
-    (arguments.out / "results.md").write_text(text + "\n")
-    draw(results, arguments.out / "spheroid-in-shear.png")
-    if arguments.update_readme:
-        common.update_readme(CASE / "README.md", text)
-        shutil.copy(arguments.out / "spheroid-in-shear.png", CASE)
-    print(f"{'FAIL' if not bounds.passes else 'PASS'}: see {arguments.out}")
-    return 1 if not bounds.passes else 0
+    return common.conclude(arguments, CASE, text, bounds, lambda picture: draw(results, picture))
 
 
 if __name__ == "__main__":
