@@ -1,5 +1,7 @@
 #include "coupling/body.hpp"
 
+#include <algorithm>
+
 namespace pliant {
 namespace {
 
@@ -25,6 +27,12 @@ RigidState prescribed_pose(const Body& body, const BodyKind& kind, double time) 
 
 RigidAcceleration prescribed_acceleration(const Body& body, const BodyKind& kind, double time) {
   return path_of(body, kind).acceleration_at(time, body.start);
+}
+
+double extent_of(const BodyKind& kind) {
+  double largest = 0;
+  for (const Vec3& x : kind.reference) largest = std::max(largest, norm(x));
+  return largest;
 }
 
 void follow_pose(Body& body, const BodyKind& kind) {

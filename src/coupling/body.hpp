@@ -85,6 +85,9 @@ RigidState hinged_pose(const Body& body, const BodyKind& kind);
 RigidState prescribed_pose(const Body& body, const BodyKind& kind, double time);
 RigidAcceleration prescribed_acceleration(const Body& body, const BodyKind& kind, double time);
 
+/// Largest distance of a vertex from the centre: turns rates of rotation into bounds on velocities.
+double extent_of(const BodyKind& kind);
+
 /// Puts vertices and their velocities where the pose says.
 void follow_pose(Body& body, const BodyKind& kind);
 

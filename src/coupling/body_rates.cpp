@@ -13,12 +13,6 @@ double rate_of(const RigidState& motion, double extent, const Grid& grid) {
          (std::abs(v.z) + turning) / grid.smallest_dz();
 }
 
-double extent_of(const BodyKind& kind) {
-  double largest = 0;
-  for (const Vec3& x : kind.reference) largest = std::max(largest, norm(x));
-  return largest;
-}
-
 }  // namespace
 
 double convective_rate(const Bodies& bodies) {

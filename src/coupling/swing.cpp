@@ -10,12 +10,6 @@ namespace {
 constexpr int window = 4, fewest_reversals = 2;
 constexpr double growth = 1.05, growth_in_all = 30;
 
-double extent_of(const BodyKind& kind) {
-  double largest = 0;
-  for (const Vec3& x : kind.reference) largest = std::max(largest, norm(x));
-  return largest;
-}
-
 }  // namespace
 
 bool count_swing(SwingCount& swing, Vec3 acceleration, double least) {
