@@ -1,5 +1,6 @@
 #include <benchmark/benchmark.h>
 
+#include "core/loops.hpp"
 #include "flow/momentum.hpp"
 #include "flow/projection.hpp"
 #include "solvers/plane_helmholtz.hpp"
@@ -49,11 +50,15 @@ void count_cells(benchmark::State& state, const Grid& grid) {
 
 void momentum(benchmark::State& state) {
   Box box(static_cast<int>(state.range(0)));
-  const MomentumInput in{box.u.view(), box.v.view(), box.w.view(), box.p.view()};
-  const MomentumOutput out{box.ru.view(), box.rv.view(), box.rw.view(), box.hu.view(), box.hv.view(), box.hw.view()};
+  const auto p = box.p.view();
+  const MomentumInput in{planes_around(box.u.view(), 1), planes_around(box.v.view(), 1), planes_around(box.w.view(), 1),
+                         p.at_plane(1), p.at_plane(2)};
+  const MomentumOutput out{box.ru.view().at_plane(1), box.rv.view().at_plane(1), box.rw.view().at_plane(1),
+                           box.hu.view().at_plane(1), box.hv.view().at_plane(1), box.hw.view().at_plane(1)};
   const MomentumFactors factors{1e-3, -1e-4, 1e-3, 1e-3, {}};
-  for (auto _ : state)
-    momentum_plane(box.grid, static_cast<ViscousMode>(state.range(1)), HistoryUse::read_write, factors, in, out, 1);
+  const MomentumRows rows(box.grid, static_cast<ViscousMode>(state.range(1)), HistoryUse::read_write, factors, in, out,
+                          1);
+  for (auto _ : state) for_rows(box.grid.ny(), rows);
   count_cells(state, box.grid);
 }
 BENCHMARK(momentum)->ArgsProduct({{128, 256}, {0, 1, 2}})->ArgNames({"n", "mode"});
@@ -61,9 +66,17 @@ BENCHMARK(momentum)->ArgsProduct({{128, 256}, {0, 1, 2}})->ArgNames({"n", "mode"
 void correction(benchmark::State& state) {
   Box box(static_cast<int>(state.range(0)));
   Field<Center> phi(box.grid);
+  const auto planes = planes_around(phi.view(), 1);
+  const VelocityPlane<double> velocity{box.u.view().at_plane(1), box.v.view().at_plane(1), box.w.view().at_plane(1)};
+  const VelocityCorrection correct_velocity(box.grid, 1e-3, planes.here, planes.above,
+                                            {velocity.u, velocity.v, velocity.w}, velocity, 1);
+  const PressureCorrection correct_pressure(box.grid, static_cast<CorrectionTerms>(state.range(1)), 1e-6,
+                                            {planes.below, planes.here, planes.above}, box.p.view().at_plane(1), 1);
   for (auto _ : state)
-    correct_plane(box.grid, static_cast<CorrectionTerms>(state.range(1)), 1e-3, 1e-6, phi.view(),
-                  {box.u.view(), box.v.view(), box.w.view(), box.p.view()}, 1);
+    for (int j = 0; j < box.grid.ny(); ++j) {
+      correct_velocity(j);
+      correct_pressure(j);
+    }
   count_cells(state, box.grid);
 }
 BENCHMARK(correction)->ArgsProduct({{256}, {0, 1, 2}})->ArgNames({"n", "terms"});

@@ -42,6 +42,7 @@ Timing time_steps(const BenchOptions& options, const Communicator& ranks) {
   parameters.boundary = sides_of(options.boundary);
   parameters.viscosity = 1e-4;
   parameters.viscous = options.viscous;
+  parameters.sweeps = options.sweeps;
   const Grid grid(box, parameters.boundary, ranks);
   FlowSolver solver(grid, parameters);
   InitialConfig initial;

@@ -20,6 +20,7 @@ BoundaryConfig sides_of(BenchBoundary boundary);
 struct BenchOptions {
   std::array<int, 3> cells{128, 128, 128};
   ViscousMode viscous = ViscousMode::implicit;
+  Sweeps sweeps = Sweeps::fused;
   int steps = 20;
   int repeats = 5;  ///< timed repetitions of `steps` steps; the median is reported
   StretchingLaw stretching = StretchingLaw::uniform;

@@ -39,6 +39,8 @@ void add_flow(CLI::App& command, Action& action) {
                            {"implicit-z", ViscousMode::implicit_z},
                            {"implicit", ViscousMode::implicit}},
                           "explicit, implicit-z or implicit");
+  add_choice<Sweeps>(*flow, "--sweeps", options->sweeps, {{"plain", Sweeps::plain}, {"fused", Sweeps::fused}},
+                     "fused or plain, as time.sweeps of a case");
   flow->add_option("--steps", options->steps, "Steps in one timed repetition")->check(CLI::PositiveNumber);
   flow->callback([options, &action] { action = [options](const Communicator&) { return run_bench_flow(*options); }; });
 }

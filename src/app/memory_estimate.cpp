@@ -23,6 +23,7 @@ double slab_bytes(const CaseConfig& config, const Cells& cells) {
   parameters.density = config.fluid.density;
   parameters.viscosity = config.fluid.viscosity / config.fluid.density;
   parameters.viscous = config.time.viscous;
+  parameters.sweeps = config.time.sweeps;
   parameters.boundary = config.boundary;
   // What varies along the sides takes next to nothing, and patches need not fit the small grids tried here.
   for (auto& side : parameters.boundary) {

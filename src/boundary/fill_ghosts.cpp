@@ -6,8 +6,8 @@ namespace pliant {
 namespace {
 
 // One line of values across a direction: f(-1), f(0) .. f(n - 1), f(n), `step` apart; the values of the rules at it.
-inline void fill_line(double* f, std::ptrdiff_t step, int n, const SideRule& low, double low_value, const SideRule& high,
-                      double high_value) {
+inline void fill_line(double* f, std::ptrdiff_t step, int n, const SideRule& low, double low_value,
+                      const SideRule& high, double high_value) {
   switch (low.kind) {
     case SideRule::Kind::periodic:
       f[-step] = f[(n - 1) * step];
@@ -30,32 +30,43 @@ inline void fill_line(double* f, std::ptrdiff_t step, int n, const SideRule& low
 
 }  // namespace
 
+void fill_row_ghosts(double* row, const FieldRules& rules, int nx, int j, int k) {
+  fill_line(row, 1, nx, rules[0], rules[0].value_at(j, k), rules[1], rules[1].value_at(j, k));
+}
+
 template <class Location>
-void fill_plane_ghosts(View<Location> f, const FieldRules& rules, int nx, int ny, int k) {
-  for_rows(ny, [&](int j) {
-    fill_line(f.at_row(j, k), 1, nx, rules[0], rules[0].value_at(j, k), rules[1], rules[1].value_at(j, k));
-  });
-  double* row = f.at_row(0, k) - 1;
+void fill_ghost_rows(Plane<Location> f, const FieldRules& rules, int nx, int ny, int k) {
+  double* row = f.at_row(0) - 1;
   const std::ptrdiff_t step = f.row;
   const SideRule low = rules[2], high = rules[3];
   if (low.values == nullptr && high.values == nullptr)
     for_each(nx + 2, [=](int i) { fill_line(row + i, step, ny, low, low.value, high, high.value); });
   else
-    for_each(nx + 2, [=](int i) {
-      fill_line(row + i, step, ny, low, low.value_at(i - 1, k), high, high.value_at(i - 1, k));
-    });
+    for_each(nx + 2,
+             [=](int i) { fill_line(row + i, step, ny, low, low.value_at(i - 1, k), high, high.value_at(i - 1, k)); });
+}
+
+template <class Location>
+void fill_plane_ghosts(Plane<Location> f, const FieldRules& rules, int nx, int ny, int k) {
+  for_rows(ny, [&](int j) { fill_row_ghosts(f.at_row(j), rules, nx, j, k); });
+  fill_ghost_rows(f, rules, nx, ny, k);
+}
+
+template <class Location>
+void fill_end_plane(Plane<Location> ghost, ConstPlane<Location> interior, double sign, double factor,
+                    const SideRule& rule, int nx, int ny) {
+  for (int j = -1; j <= ny; ++j) {
+    double* to = ghost.at_row(j);
+    const double* from = interior.at_row(j);
+    for (int i = -1; i <= nx; ++i) to[i] = sign * from[i] + factor * rule.value_at(i, j);
+  }
 }
 
 template <class Location>
 void fill_end_planes(View<Location> f, const FieldRules& rules, const Grid& grid) {
   const int nx = grid.nx(), ny = grid.ny(), nz = grid.nz();
-  // ghost = sign * interior + factor * value
   const auto fill = [&](int ghost, int interior, double sign, double factor, const SideRule& rule) {
-    for (int j = -1; j <= ny; ++j) {
-      double* to = f.at_row(j, ghost);
-      const double* from = f.at_row(j, interior);
-      for (int i = -1; i <= nx; ++i) to[i] = sign * from[i] + factor * rule.value_at(i, j);
-    }
+    fill_end_plane(f.at_plane(ghost), ConstPlane<Location>(f.at_plane(interior)), sign, factor, rule, nx, ny);
   };
   const auto& low = rules[4];
   const auto& high = rules[5];
@@ -69,8 +80,10 @@ void fill_end_planes(View<Location> f, const FieldRules& rules, const Grid& grid
   }
 }
 
-#define PLIANT_INSTANTIATE(L)                                                    \
-  template void fill_plane_ghosts<L>(View<L>, const FieldRules&, int, int, int); \
+#define PLIANT_INSTANTIATE(L)                                                                          \
+  template void fill_ghost_rows<L>(Plane<L>, const FieldRules&, int, int, int);                        \
+  template void fill_plane_ghosts<L>(Plane<L>, const FieldRules&, int, int, int);                      \
+  template void fill_end_plane<L>(Plane<L>, ConstPlane<L>, double, double, const SideRule&, int, int); \
   template void fill_end_planes<L>(View<L>, const FieldRules&, const Grid&);
 PLIANT_INSTANTIATE(Center)
 PLIANT_INSTANTIATE(FaceX)

@@ -109,6 +109,8 @@ struct InitialConfig {
 };
 
 enum class ViscousMode { explicit_rk3, implicit_z, implicit };
+/// How a step goes through the fields: one loop an operator, or few passes. Same results but for round-off.
+enum class Sweeps { plain, fused };
 struct TimeConfig {
   double end = 1.0;
   std::optional<long> max_steps;
@@ -116,6 +118,7 @@ struct TimeConfig {
   std::optional<double> step;  ///< fixed step; else it follows cfl
   double max_step = 0;         ///< upper bound on the adaptive step; 0: none
   ViscousMode viscous = ViscousMode::implicit;
+  Sweeps sweeps = Sweeps::fused;
 };
 
 struct SphereSurface {

@@ -41,6 +41,10 @@ Words<InitialFlow> words_of<InitialFlow>() {
 }
 
 template <>
+Words<Sweeps> words_of<Sweeps>() {
+  return {{"plain", Sweeps::plain}, {"fused", Sweeps::fused}};
+}
+template <>
 Words<ViscousMode> words_of<ViscousMode>() {
   return {{"explicit", ViscousMode::explicit_rk3},
           {"implicit-z", ViscousMode::implicit_z},

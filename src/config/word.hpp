@@ -29,6 +29,8 @@ Words<InitialFlow> words_of<InitialFlow>();
 template <>
 Words<ViscousMode> words_of<ViscousMode>();
 template <>
+Words<Sweeps> words_of<Sweeps>();
+template <>
 Words<CylinderEnds> words_of<CylinderEnds>();
 template <>
 Words<OrientationKind> words_of<OrientationKind>();

@@ -61,7 +61,10 @@ void CoupledFlow::find_loads(double step) {
   if (!is_two_way_) return;
   const auto scope = timer_.measure("bodies: loads");
   boundary_->find_reactions(bodies_, MarkerGroup::moving, step, driving());
-  if (has_probe_driven_) find_stresses(bodies_, sampler_, flow_.grid(), driving(), StressOf::driven);
+  if (has_probe_driven_) {
+    flow_.settle();
+    find_stresses(bodies_, sampler_, flow_.grid(), driving(), StressOf::driven);
+  }
   if (contact_.is_wanted()) contact_.find(bodies_);
 }
 
@@ -75,12 +78,14 @@ void CoupledFlow::accept() {
 
 void CoupledFlow::advance_one_way_bodies(double step) {
   if (!has_deformable_) return;
+  flow_.settle();
   const auto scope = timer_.measure("bodies: motion");
   advance_one_way(bodies_, sampler_, config_.fluid, step);
 }
 
 void CoupledFlow::diagnose() {
   if (!is_two_way_) return;
+  flow_.settle();
   if (last_step_ > 0) boundary_->find_reactions(bodies_, MarkerGroup::fixed, last_step_, driving());
   boundary_->measure_slip(bodies_, flow_.state());
   find_stresses(bodies_, sampler_, flow_.grid(), driving(), StressOf::all);

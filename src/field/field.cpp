@@ -11,23 +11,28 @@ constexpr std::ptrdiff_t line = 8;  // doubles in a cache line
 std::ptrdiff_t round_up(std::ptrdiff_t n) { return (n + line - 1) / line * line; }
 }  // namespace
 
-template <class Location>
-void Field<Location>::Free::operator()(double* memory) const {
-  std::free(memory);
+void FreeMemory::operator()(double* memory) const { std::free(memory); }
+
+AlignedDoubles allocate_aligned(std::size_t count) {
+  const std::size_t bytes = (count * sizeof(double) + 63) / 64 * 64;
+  AlignedDoubles memory(static_cast<double*>(std::aligned_alloc(64, bytes)));
+  if (memory == nullptr) throw std::bad_alloc();
+  std::fill_n(memory.get(), count, 0.0);
+  return memory;
 }
 
+PlaneLayout::PlaneLayout(const Grid& grid)
+    : row(line + round_up(grid.nx() + 2)), plane(row * (grid.ny() + 2)), origin(row + line) {}
+
 template <class Location>
-Field<Location>::Field(const Grid& grid) : nx_(grid.nx()), ny_(grid.ny()), nz_(grid.nz()) {
-  // One line ahead of i = 0 holds the ghost -1; behind come the ghost n and the second half of the last complex mode.
-  row_ = line + round_up(nx_ + 2);
-  plane_ = row_ * (ny_ + 2);
-  const auto count = static_cast<std::size_t>(plane_ * (nz_ + 2));
+Field<Location>::Field(const Grid& grid, int planes_beyond) : nx_(grid.nx()), ny_(grid.ny()), nz_(grid.nz()) {
+  const PlaneLayout layout(grid);
+  row_ = layout.row;
+  plane_ = layout.plane;
+  const auto count = static_cast<std::size_t>(plane_ * (nz_ + 2 + planes_beyond));
   bytes_ = count * sizeof(double);
-  auto* memory = static_cast<double*>(std::aligned_alloc(64, bytes_));
-  if (memory == nullptr) throw std::bad_alloc();
-  memory_.reset(memory);
-  std::fill_n(memory, count, 0.0);
-  origin_ = memory + plane_ + row_ + line;
+  memory_ = allocate_aligned(count);
+  origin_ = memory_.get() + plane_ + layout.origin;
 }
 
 template <class Location>

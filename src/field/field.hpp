@@ -14,6 +14,18 @@ struct FaceX {};
 struct FaceY {};
 struct FaceZ {};
 
+/// One x-y plane of a quantity as row kernels see it: element (i, j) with i, j from -1 to n.
+template <class Location, class Value = double>
+struct Plane {
+  Value* origin = nullptr;
+  std::ptrdiff_t row = 0;  ///< elements from j to j + 1
+
+  Value* at_row(int j) const { return origin + j * row; }
+  operator Plane<Location, const double>() const requires(!std::is_const_v<Value>) { return {origin, row}; }
+};
+template <class Location>
+using ConstPlane = Plane<Location, const double>;
+
 /// What kernels take, by value: element (i, j, k) with i, j, k from -1 (ghosts) to n.
 template <class Location, class Value = double>
 struct View {
@@ -23,17 +35,34 @@ struct View {
 
   Value& operator()(int i, int j, int k) const { return origin[i + j * row + k * plane]; }
   Value* at_row(int j, int k) const { return origin + j * row + k * plane; }
+  Plane<Location, Value> at_plane(int k) const { return {origin + k * plane, row}; }
   operator View<Location, const double>() const requires(!std::is_const_v<Value>) { return {origin, row, plane}; }
 };
 template <class Location>
 using ConstView = View<Location, const double>;
+
+struct FreeMemory {
+  void operator()(double* memory) const;
+};
+using AlignedDoubles = std::unique_ptr<double[], FreeMemory>;
+/// Zeroed memory that begins on a 64-byte line. Throws std::bad_alloc.
+AlignedDoubles allocate_aligned(std::size_t count);
+
+/// How planes of a grid lie in memory: one line of 8 doubles ahead of i = 0 holds the ghost -1; behind come the ghost n
+/// and the second half of the last complex mode.
+struct PlaneLayout {
+  explicit PlaneLayout(const Grid& grid);
+  std::ptrdiff_t row, plane;  ///< doubles from row to row and from plane to plane, ghost rows counted
+  std::ptrdiff_t origin;      ///< of element (0, 0) in its plane
+};
 
 /// Owner of the memory of one quantity on this rank's slab with one layer of ghosts, zero at start.
 /// Rows and planes begin on 64-byte lines; element (0, 0, k) too, so that planes can be transformed in place.
 template <class Location>
 class Field {
  public:
-  explicit Field(const Grid& grid);
+  /// `planes_beyond`: planes above the upper ghost plane.
+  explicit Field(const Grid& grid, int planes_beyond = 0);
 
   View<Location> view() { return {origin_, row_, plane_}; }
   ConstView<Location> view() const { return {origin_, row_, plane_}; }
@@ -47,13 +76,10 @@ class Field {
   void swap(Field& other) noexcept;
 
  private:
-  struct Free {
-    void operator()(double* memory) const;
-  };
   int nx_ = 0, ny_ = 0, nz_ = 0;
   std::ptrdiff_t row_ = 0, plane_ = 0;
   std::size_t bytes_ = 0;
-  std::unique_ptr<double[], Free> memory_;
+  AlignedDoubles memory_;
   double* origin_ = nullptr;
 };
 

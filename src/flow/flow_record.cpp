@@ -52,6 +52,7 @@ void FlowRecord::save(FlowSnapshot& snapshot) const {
   open.save(snapshot.open);
   snapshot.time = time;
   snapshot.forcing = forcing;
+  snapshot.rate = rate;
 }
 
 void FlowRecord::restore(const FlowSnapshot& snapshot) {
@@ -62,6 +63,7 @@ void FlowRecord::restore(const FlowSnapshot& snapshot) {
   open.restore(snapshot.open);
   time = snapshot.time;
   forcing = snapshot.forcing;
+  rate = snapshot.rate;
 }
 
 std::vector<RowTable> FlowRecord::tables() const {
@@ -95,13 +97,14 @@ std::vector<std::byte> FlowRecord::numbers() const {
   ByteWriter out;
   out.write(time);
   out.write(forcing);
+  out.write(rate);
   out.write(open.mean_outwards());
   return out.take();
 }
 
 void FlowRecord::finish_loading(std::span<const std::byte> numbers) {
   ByteReader in(numbers);
-  const auto new_time = in.read<double>(), new_forcing = in.read<double>();
+  const auto new_time = in.read<double>(), new_forcing = in.read<double>(), new_rate = in.read<double>();
   const auto means = in.read_vector<double>();
   in.expect_end();
   if (means.size() != open.mean_outwards().size())
@@ -110,6 +113,7 @@ void FlowRecord::finish_loading(std::span<const std::byte> numbers) {
   open.finish_loading(means);
   time = new_time;
   forcing = new_forcing;
+  rate = new_rate;
 }
 
 }  // namespace pliant

@@ -12,6 +12,7 @@ struct FlowRecord {
   OpenSides& open;
   double& time;
   double& forcing;
+  double& rate;
 
   void save(FlowSnapshot& snapshot) const;
   void restore(const FlowSnapshot& snapshot);

@@ -14,7 +14,7 @@
 
 namespace pliant {
 
-/// The fluid's unknowns. Ghosts are filled at every moment a caller can see.
+/// The fluid's unknowns. Ghosts are filled at every moment that a caller can see.
 struct FlowState {
   explicit FlowState(const Grid& grid) : u(grid), v(grid), w(grid), p(grid) {}
   Field<FaceX> u;
@@ -27,7 +27,7 @@ struct FlowState {
 struct FlowSnapshot {
   std::vector<double> u, v, w, p;
   OpenSides::Snapshot open;
-  double time = 0, forcing = 0;
+  double time = 0, forcing = 0, rate = 0;
 };
 
 /// The coefficients of one Runge-Kutta substep (numerics.md, section 1).
@@ -45,6 +45,7 @@ struct FlowParameters {
   double density = 1.0;
   double viscosity = 1.0;  ///< kinematic
   ViscousMode viscous = ViscousMode::implicit;
+  Sweeps sweeps = Sweeps::fused;
   BoundaryConfig boundary;
   Signals signals;  ///< those that the boundary names
   ForcingConfig forcing;
@@ -61,8 +62,13 @@ class FlowSolver {
 
   const Grid& grid() const;
   const FlowParameters& parameters() const;
+  /// The state, settled: collective after a step.
   FlowState& state();
   const FlowState& state() const;
+  /// A step leaves the last correction of the velocity and the pressure to the step after it, which makes it on its
+  /// way. This makes it now, for those who look at the fields of the state in between by themselves; all functions that
+  /// look at them do. Does not change what the run computes. Collective.
+  void settle() const;
 
   /// Fills the ghosts of the state, after a caller has changed its interior (an initial field, a restart).
   void fill_ghosts();
@@ -87,6 +93,11 @@ class FlowSolver {
 
   /// max over cells of |u|/dx + |v|/dy + |w|/dz: the Courant number is dt times this. Collective.
   double convective_rate() const;
+  /// The same for choosing the next step: of the velocity that the last step predicted, before its last correction, so
+  /// that nothing has to be settled; of the state if there was no step. Collective.
+  double step_rate() const;
+  /// False if this rank sees that the flow is not finite; some rank does after a step. Not collective.
+  bool may_be_finite() const;
   /// Largest step of the explicitly treated viscous terms; infinity if there are none.
   double viscous_step_limit() const;
   /// Largest absolute divergence over the cells. Collective.
@@ -100,7 +111,7 @@ class FlowSolver {
 
   /// All that a step needs of the steps before it, in memory: fields with their ghosts, open sides, time, forcing.
   using Snapshot = FlowSnapshot;
-  /// A snapshot may be used again and again; only the first time allocates. Not collective.
+  /// A snapshot may be used again and again; only the first time allocates. Collective.
   void save_state(Snapshot& snapshot) const;
   /// Takes this solver back, bit for bit, to where it was when the snapshot was made. Not collective.
   void restore_state(const Snapshot& snapshot);
@@ -130,6 +141,9 @@ inline constexpr double largest_stable_cfl = 1.7320508;
 /// Sets the state of a solver to an initial flow, ghosts included. Collective. `wall` velocities give Couette its
 /// profile.
 void set_initial_flow(FlowSolver& solver, const InitialConfig& initial);
+
+/// Those that a flow on this grid uses when it is asked for `wanted`. The same on all ranks.
+Sweeps sweeps_in_use(Sweeps wanted, const Grid& grid);
 
 /// The time-step limit of the explicitly treated viscous terms, without building a solver; infinity if none are.
 double viscous_step_limit(const Grid& grid, double kinematic_viscosity, ViscousMode mode);

@@ -1,6 +1,7 @@
 #include "flow/helmholtz_adi.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace pliant {
 namespace {
@@ -50,7 +51,8 @@ HelmholtzAdi::HelmholtzAdi(const Grid& grid, const FieldRules& rules, int compon
       component_(component),
       directions_(directions),
       stride_(row_stride),
-      z_(grid.ranks(), ends_of(grid), grid.nz(), LinePlane{grid.nx(), grid.ny(), row_stride}),
+      z_(grid.ranks(), ends_of(grid), grid.nz(), LinePlane{grid.nx(), grid.ny(), row_stride},
+         SlabTridiagonal::Order::descending),
       work_(2 * static_cast<std::size_t>(grid.nx())) {}
 
 void HelmholtzAdi::set_coefficient(double a) {
@@ -63,53 +65,58 @@ void HelmholtzAdi::set_coefficient(double a) {
   y_ = PlaneHelmholtz(y.unknowns, a / (grid_.dy() * grid_.dy()), y.ends, y.low, y.high);
 }
 
-void HelmholtzAdi::begin_plane(double* plane, const double* plane_below, int k) {
-  const int nx = grid_.nx(), ny = grid_.ny();
-  if (rules_[0].kind == SideRule::Kind::face)
-    for (int j = 0; j < ny; ++j) plane[j * stride_ + nx - 1] = 0;
-  if (rules_[2].kind == SideRule::Kind::face) std::fill_n(plane + (ny - 1) * stride_, nx, 0.0);
-  if (component_ == 2 && grid_.has_top() && k == grid_.nz() - 1)
-    for (int j = 0; j < ny; ++j) std::fill_n(plane + j * stride_, nx, 0.0);
-  if (directions_ == Directions::all) {
-    add_x_changes(plane, k);
-    for (int j = 0; j < ny; ++j) x_.solve(plane + j * stride_);
-    add_y_changes(plane, k);
-    y_.solve(plane, nx, stride_, work_.data());
+// The w faces on the upper side.
+bool HelmholtzAdi::is_known_plane(int k) const { return component_ == 2 && grid_.has_top() && k == grid_.nz() - 1; }
+
+void HelmholtzAdi::begin_row(double* row, int j, int k) {
+  const int nx = grid_.nx();
+  if (is_known_plane(k) || (rules_[2].kind == SideRule::Kind::face && j == grid_.ny() - 1)) std::fill_n(row, nx, 0.0);
+  if (rules_[0].kind == SideRule::Kind::face) row[nx - 1] = 0;
+  if (directions_ == Directions::z) return;
+  add_x_changes(row, j, k);
+  x_.solve(row);
+  add_y_changes(row, j, k);
+  if (j < y_.unknowns()) y_.forward_row(j, row, row - stride_, nx, work_.data());
+}
+
+void HelmholtzAdi::end_plane(double* plane, const double* before, const OldPlanes& old, int k) {
+  const int nx = grid_.nx(), ny = grid_.ny(), n = y_.unknowns();
+  const bool in_plane = directions_ == Directions::all;
+  if (in_plane && n > 0) y_.turn(plane + (n - 1) * stride_, nx, work_.data());
+  for (int j = ny - 1; j >= 0; --j) {
+    double* row = plane + j * stride_;
+    if (in_plane && j < n) y_.backward_row(j, row, row + stride_, nx, work_.data());
+    add_z_changes(row, j, k);
+    const std::ptrdiff_t at = j * old.stride;
+    z_.eliminate_row_added(k, j, row, before + j * stride_, old.below + at, old.here + at, old.above + at);
   }
-  add_z_changes(plane, k);
-  z_.eliminate(k, plane, plane_below);
 }
 
 // The known increments beside the first and last unknown of a line go to its right-hand side.
-void HelmholtzAdi::add_x_changes(double* plane, int k) const {
+void HelmholtzAdi::add_x_changes(double* row, int j, int k) const {
   const double factor = a_ / (grid_.dx() * grid_.dx());
   const int last = grid_.nx() - (rules_[1].kind == SideRule::Kind::face ? 2 : 1);
-  for (int j = 0; j < grid_.ny(); ++j) {
-    double* row = plane + j * stride_;
-    if (changes_.values[0] != nullptr && last >= 0) row[0] += factor * changes_.at(0, j, k);
-    if (changes_.values[1] != nullptr && last >= 0) row[last] += factor * changes_.at(1, j, k);
-  }
+  if (last < 0) return;
+  if (changes_.values[0] != nullptr) row[0] += factor * changes_.at(0, j, k);
+  if (changes_.values[1] != nullptr) row[last] += factor * changes_.at(1, j, k);
 }
 
-void HelmholtzAdi::add_y_changes(double* plane, int k) const {
+void HelmholtzAdi::add_y_changes(double* row, int j, int k) const {
   const double factor = a_ / (grid_.dy() * grid_.dy());
   const int last = grid_.ny() - (rules_[3].kind == SideRule::Kind::face ? 2 : 1);
   if (last < 0) return;
-  for (int i = 0; i < grid_.nx(); ++i) {
-    if (changes_.values[2] != nullptr) plane[i] += factor * changes_.at(2, i, k);
-    if (changes_.values[3] != nullptr) plane[last * stride_ + i] += factor * changes_.at(3, i, k);
-  }
+  for (const auto& [at, side] : {std::pair<int, std::size_t>{0, 2}, {last, 3}})
+    if (j == at && changes_.values[side] != nullptr)
+      for (int i = 0; i < grid_.nx(); ++i) row[i] += factor * changes_.at(side, i, k);
 }
 
-void HelmholtzAdi::add_z_changes(double* plane, int k) const {
+void HelmholtzAdi::add_z_changes(double* row, int j, int k) const {
   const bool on_faces = component_ == 2;
   const auto dz_c = grid_.dz_c(), dz_f = grid_.dz_f();
   const auto add = [&](std::size_t side, double factor) {
-    for (int j = 0; j < grid_.ny(); ++j)
-      for (int i = 0; i < grid_.nx(); ++i) plane[j * stride_ + i] += factor * changes_.at(side, i, j);
+    for (int i = 0; i < grid_.nx(); ++i) row[i] += factor * changes_.at(side, i, j);
   };
-  const bool known = on_faces && grid_.has_top() && k == grid_.nz() - 1;
-  if (changes_.values[4] != nullptr && grid_.has_bottom() && k == 0 && !known)
+  if (changes_.values[4] != nullptr && grid_.has_bottom() && k == 0 && !is_known_plane(k))
     add(4, on_faces ? a_ / (dz_f[0] * dz_c[0]) : a_ / (dz_c[0] * dz_f[-1]));
   // The face on the upper side has a row of its own in the z lines, which tells its neighbour.
   if (changes_.values[5] != nullptr && grid_.has_top() && k == grid_.nz() - 1)

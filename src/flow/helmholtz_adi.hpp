@@ -10,8 +10,19 @@
 
 namespace pliant {
 
-/// Inverts the factored implicit operator (1 - a Lx)(1 - a Ly)(1 - a Lz), or its z factor alone, on the increment of
-/// one velocity component, with the homogeneous form of its boundary rules. Factors are kept for as long as `a` stays.
+/// A component and its neighbours in z before a substep, row pointers by j.
+struct OldPlanes {
+  const double *below, *here, *above;
+  std::ptrdiff_t stride;
+};
+
+/// From the increment's right-hand side g and the old velocity u to the predicted one, for one velocity component:
+/// (1 - a Lx)(1 - a Ly)(1 - a Lz)(u* - u) = g, or its z factor alone, with the homogeneous form of the component's
+/// boundary rules. The z lines are solved for u* itself, (1 - a Lz) u* = g' + (1 - a Lz) u, so that no increments are
+/// kept. Factors are kept for as long as `a` stays.
+///
+/// Use: for planes k descending, begin_row for all rows j ascending, then end_plane; couple; then finish_plane for k
+/// ascending.
 class HelmholtzAdi {
  public:
   enum class Directions { z, all };
@@ -26,19 +37,22 @@ class HelmholtzAdi {
   /// Lets the values on open sides change by this much in the present substep. The views must stay valid.
   void set_side_changes(const SideChanges& changes) { changes_ = changes; }
 
-  /// x and y solves of the plane if asked for, then the z elimination; k ascending.
-  void begin_plane(double* plane, const double* plane_below, int k);
-  /// Collective, after all planes have begun.
+  /// x solve of row j of plane k, and the elimination of the y lines, if asked for.
+  void begin_row(double* row, int j, int k);
+  /// The rest of the y lines and the elimination of the z lines; `before` is plane k + 1 as this left it.
+  void end_plane(double* plane, const double* before, const OldPlanes& old, int k);
+  /// Collective, after all planes.
   void couple() { z_.couple(); }
-  /// z substitution; k descending.
-  void finish_plane(double* plane, const double* plane_above, int k) { z_.substitute(k, plane, plane_above); }
+  /// z substitution; `before` is plane k - 1 as this left it.
+  void finish_plane(double* plane, const double* before, int k) { z_.substitute(k, plane, before); }
 
   std::size_t bytes() const { return z_.bytes() + work_.size() * sizeof(double); }
 
  private:
-  void add_x_changes(double* plane, int k) const;
-  void add_y_changes(double* plane, int k) const;
-  void add_z_changes(double* plane, int k) const;
+  void add_x_changes(double* row, int j, int k) const;
+  void add_y_changes(double* row, int j, int k) const;
+  void add_z_changes(double* row, int j, int k) const;
+  bool is_known_plane(int k) const;
 
   Grid grid_;
   FieldRules rules_;

@@ -5,24 +5,12 @@
 namespace pliant {
 namespace {
 
-// The constants of a plane, by value for the row kernels.
-struct PlaneFactors {
-  double dt_gamma, dt_rho, dt_alpha;
-  double x, y;                    // 1/4 of the inverse spacings: fluxes are products of two sums
-  double grad_x, grad_y, grad_z;  // dt alpha over the spacing
-  double visc_x, visc_y;          // nu over the square of the spacing
-  double cell_z;                  // 1/4 over the thickness of the u and v cells
-  double visc_z_up, visc_z_down;
-  double face_z;  // 1/4 over the thickness of the w cell
-  double visc_w_up, visc_w_down;
-  double weight_low, weight_high;  // of the two cells that a w cell spans; they sum to 1
-  Vec3 push;                       // dt alpha times the acceleration
-};
+using Constants = MomentumRows::Constants;
 
 template <ViscousMode mode, HistoryUse history>
 struct Combine {
   // value from the advection term, the viscous terms by direction, the pressure difference and the old velocity
-  static inline double apply(const PlaneFactors& f, double advection, double visc_xy, double visc_z, double pressure,
+  static inline double apply(const Constants& f, double advection, double visc_xy, double visc_z, double pressure,
                              double push, double old, double& h) {
     double explicit_terms = -advection, implicit_terms = 0;
     if constexpr (mode == ViscousMode::explicit_rk3) explicit_terms += visc_xy + visc_z;
@@ -37,19 +25,19 @@ struct Combine {
 };
 
 template <ViscousMode mode, HistoryUse history>
-void u_row(const PlaneFactors& f, const MomentumInput& in, const MomentumOutput& out, int nx, int j, int k) {
-  const double* __restrict u = in.u.at_row(j, k);
-  const double* __restrict us = in.u.at_row(j - 1, k);
-  const double* __restrict un = in.u.at_row(j + 1, k);
-  const double* __restrict ub = in.u.at_row(j, k - 1);
-  const double* __restrict ut = in.u.at_row(j, k + 1);
-  const double* __restrict v = in.v.at_row(j, k);
-  const double* __restrict vs = in.v.at_row(j - 1, k);
-  const double* __restrict w = in.w.at_row(j, k);
-  const double* __restrict wb = in.w.at_row(j, k - 1);
-  const double* __restrict p = in.p.at_row(j, k);
-  double* __restrict h = out.history_u.at_row(j, k);
-  double* __restrict result = out.u.at_row(j, k);
+void u_row(const Constants& f, const MomentumInput& in, const MomentumOutput& out, int nx, int j) {
+  const double* __restrict u = in.u.here.at_row(j);
+  const double* __restrict us = in.u.here.at_row(j - 1);
+  const double* __restrict un = in.u.here.at_row(j + 1);
+  const double* __restrict ub = in.u.below.at_row(j);
+  const double* __restrict ut = in.u.above.at_row(j);
+  const double* __restrict v = in.v.here.at_row(j);
+  const double* __restrict vs = in.v.here.at_row(j - 1);
+  const double* __restrict w = in.w.here.at_row(j);
+  const double* __restrict wb = in.w.below.at_row(j);
+  const double* __restrict p = in.p.at_row(j);
+  double* __restrict h = out.history_u.at_row(j);
+  double* __restrict result = out.u.at_row(j);
   for_each(nx, [=](int i) {
     const double c = u[i], e = u[i + 1], o = u[i - 1], n = un[i], s = us[i], t = ut[i], b = ub[i];
     const double advection = f.x * ((e + c) * (e + c) - (c + o) * (c + o)) +
@@ -63,22 +51,22 @@ void u_row(const PlaneFactors& f, const MomentumInput& in, const MomentumOutput&
 }
 
 template <ViscousMode mode, HistoryUse history>
-void v_row(const PlaneFactors& f, const MomentumInput& in, const MomentumOutput& out, int nx, int j, int k) {
-  const double* __restrict v = in.v.at_row(j, k);
-  const double* __restrict vs = in.v.at_row(j - 1, k);
-  const double* __restrict vn = in.v.at_row(j + 1, k);
-  const double* __restrict vb = in.v.at_row(j, k - 1);
-  const double* __restrict vt = in.v.at_row(j, k + 1);
-  const double* __restrict u = in.u.at_row(j, k);
-  const double* __restrict un = in.u.at_row(j + 1, k);
-  const double* __restrict w = in.w.at_row(j, k);
-  const double* __restrict wn = in.w.at_row(j + 1, k);
-  const double* __restrict wb = in.w.at_row(j, k - 1);
-  const double* __restrict wnb = in.w.at_row(j + 1, k - 1);
-  const double* __restrict p = in.p.at_row(j, k);
-  const double* __restrict pn = in.p.at_row(j + 1, k);
-  double* __restrict h = out.history_v.at_row(j, k);
-  double* __restrict result = out.v.at_row(j, k);
+void v_row(const Constants& f, const MomentumInput& in, const MomentumOutput& out, int nx, int j) {
+  const double* __restrict v = in.v.here.at_row(j);
+  const double* __restrict vs = in.v.here.at_row(j - 1);
+  const double* __restrict vn = in.v.here.at_row(j + 1);
+  const double* __restrict vb = in.v.below.at_row(j);
+  const double* __restrict vt = in.v.above.at_row(j);
+  const double* __restrict u = in.u.here.at_row(j);
+  const double* __restrict un = in.u.here.at_row(j + 1);
+  const double* __restrict w = in.w.here.at_row(j);
+  const double* __restrict wn = in.w.here.at_row(j + 1);
+  const double* __restrict wb = in.w.below.at_row(j);
+  const double* __restrict wnb = in.w.below.at_row(j + 1);
+  const double* __restrict p = in.p.at_row(j);
+  const double* __restrict pn = in.p.at_row(j + 1);
+  double* __restrict h = out.history_v.at_row(j);
+  double* __restrict result = out.v.at_row(j);
   for_each(nx, [=](int i) {
     const double c = v[i], e = v[i + 1], o = v[i - 1], n = vn[i], s = vs[i], t = vt[i], b = vb[i];
     const double advection = f.x * ((u[i] + un[i]) * (e + c) - (u[i - 1] + un[i - 1]) * (c + o)) +
@@ -92,22 +80,22 @@ void v_row(const PlaneFactors& f, const MomentumInput& in, const MomentumOutput&
 }
 
 template <ViscousMode mode, HistoryUse history>
-void w_row(const PlaneFactors& f, const MomentumInput& in, const MomentumOutput& out, int nx, int j, int k) {
-  const double* __restrict w = in.w.at_row(j, k);
-  const double* __restrict ws = in.w.at_row(j - 1, k);
-  const double* __restrict wn = in.w.at_row(j + 1, k);
-  const double* __restrict wb = in.w.at_row(j, k - 1);
-  const double* __restrict wt = in.w.at_row(j, k + 1);
-  const double* __restrict u = in.u.at_row(j, k);
-  const double* __restrict ut = in.u.at_row(j, k + 1);
-  const double* __restrict v = in.v.at_row(j, k);
-  const double* __restrict vt = in.v.at_row(j, k + 1);
-  const double* __restrict vs = in.v.at_row(j - 1, k);
-  const double* __restrict vst = in.v.at_row(j - 1, k + 1);
-  const double* __restrict p = in.p.at_row(j, k);
-  const double* __restrict pt = in.p.at_row(j, k + 1);
-  double* __restrict h = out.history_w.at_row(j, k);
-  double* __restrict result = out.w.at_row(j, k);
+void w_row(const Constants& f, const MomentumInput& in, const MomentumOutput& out, int nx, int j) {
+  const double* __restrict w = in.w.here.at_row(j);
+  const double* __restrict ws = in.w.here.at_row(j - 1);
+  const double* __restrict wn = in.w.here.at_row(j + 1);
+  const double* __restrict wb = in.w.below.at_row(j);
+  const double* __restrict wt = in.w.above.at_row(j);
+  const double* __restrict u = in.u.here.at_row(j);
+  const double* __restrict ut = in.u.above.at_row(j);
+  const double* __restrict v = in.v.here.at_row(j);
+  const double* __restrict vt = in.v.above.at_row(j);
+  const double* __restrict vs = in.v.here.at_row(j - 1);
+  const double* __restrict vst = in.v.above.at_row(j - 1);
+  const double* __restrict p = in.p.at_row(j);
+  const double* __restrict pt = in.p_above.at_row(j);
+  double* __restrict h = out.history_w.at_row(j);
+  double* __restrict result = out.w.at_row(j);
   const double low = 2 * f.weight_low, high = 2 * f.weight_high;
   for_each(nx, [=](int i) {
     const double c = w[i], e = w[i + 1], o = w[i - 1], n = wn[i], s = ws[i], t = wt[i], b = wb[i];
@@ -123,32 +111,29 @@ void w_row(const PlaneFactors& f, const MomentumInput& in, const MomentumOutput&
 }
 
 template <ViscousMode mode, HistoryUse history>
-void plane(const PlaneFactors& f, const Grid& grid, const MomentumInput& in, const MomentumOutput& out, int k) {
-  const int nx = grid.nx(), ny = grid.ny();
-  for_rows(ny, [&](int j) {
-    u_row<mode, history>(f, in, out, nx, j, k);
-    v_row<mode, history>(f, in, out, nx, j, k);
-    w_row<mode, history>(f, in, out, nx, j, k);
-  });
+void all_rows(const Constants& f, const MomentumInput& in, const MomentumOutput& out, int nx, int j) {
+  u_row<mode, history>(f, in, out, nx, j);
+  v_row<mode, history>(f, in, out, nx, j);
+  w_row<mode, history>(f, in, out, nx, j);
 }
 
 template <ViscousMode mode>
-void plane(HistoryUse history, const PlaneFactors& f, const Grid& grid, const MomentumInput& in,
-           const MomentumOutput& out, int k) {
-  switch (history) {
-    case HistoryUse::write:
-      return plane<mode, HistoryUse::write>(f, grid, in, out, k);
-    case HistoryUse::read_write:
-      return plane<mode, HistoryUse::read_write>(f, grid, in, out, k);
-    case HistoryUse::read:
-      return plane<mode, HistoryUse::read>(f, grid, in, out, k);
-  }
+auto row_of(HistoryUse history) {
+  return history == HistoryUse::write        ? all_rows<mode, HistoryUse::write>
+         : history == HistoryUse::read_write ? all_rows<mode, HistoryUse::read_write>
+                                             : all_rows<mode, HistoryUse::read>;
 }
 
-PlaneFactors plane_factors(const Grid& grid, const MomentumFactors& m, int k) {
+auto row_of(ViscousMode mode, HistoryUse history) {
+  return mode == ViscousMode::explicit_rk3 ? row_of<ViscousMode::explicit_rk3>(history)
+         : mode == ViscousMode::implicit_z ? row_of<ViscousMode::implicit_z>(history)
+                                           : row_of<ViscousMode::implicit>(history);
+}
+
+Constants constants_of(const Grid& grid, const MomentumFactors& m, int k) {
   const auto dz_c = grid.dz_c(), dz_f = grid.dz_f();
   const double nu = m.viscosity, span = dz_c[k] + dz_c[k + 1];
-  PlaneFactors f{};
+  Constants f{};
   f.dt_gamma = m.dt_gamma;
   f.dt_rho = m.dt_rho;
   f.dt_alpha = m.dt_alpha;
@@ -173,17 +158,8 @@ PlaneFactors plane_factors(const Grid& grid, const MomentumFactors& m, int k) {
 
 }  // namespace
 
-void momentum_plane(const Grid& grid, ViscousMode mode, HistoryUse history, const MomentumFactors& factors,
-                    const MomentumInput& in, const MomentumOutput& out, int k) {
-  const PlaneFactors f = plane_factors(grid, factors, k);
-  switch (mode) {
-    case ViscousMode::explicit_rk3:
-      return plane<ViscousMode::explicit_rk3>(history, f, grid, in, out, k);
-    case ViscousMode::implicit_z:
-      return plane<ViscousMode::implicit_z>(history, f, grid, in, out, k);
-    case ViscousMode::implicit:
-      return plane<ViscousMode::implicit>(history, f, grid, in, out, k);
-  }
-}
+MomentumRows::MomentumRows(const Grid& grid, ViscousMode mode, HistoryUse history, const MomentumFactors& factors,
+                           const MomentumInput& in, const MomentumOutput& out, int k)
+    : constants_(constants_of(grid, factors, k)), in_(in), out_(out), nx_(grid.nx()), row_(row_of(mode, history)) {}
 
 }  // namespace pliant

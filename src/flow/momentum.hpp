@@ -16,25 +16,35 @@ struct MomentumFactors {
   Vec3 acceleration;
 };
 
-/// What the right-hand side reads.
+/// A plane and its neighbours in z.
+template <class Location>
+struct PlaneTriple {
+  ConstPlane<Location> below, here, above;
+};
+template <class Location, class Value>
+PlaneTriple<Location> planes_around(View<Location, Value> f, int k) {
+  return {f.at_plane(k - 1), f.at_plane(k), f.at_plane(k + 1)};
+}
+
+/// What the right-hand side of a plane reads.
 struct MomentumInput {
-  ConstView<FaceX> u;
-  ConstView<FaceY> v;
-  ConstView<FaceZ> w;
-  ConstView<Center> p;
+  PlaneTriple<FaceX> u;
+  PlaneTriple<FaceY> v;
+  PlaneTriple<FaceZ> w;
+  ConstPlane<Center> p, p_above;
 };
 
 /// What it writes, and the explicit terms H carried from substep to substep in place.
 struct MomentumOutput {
-  View<FaceX> u;
-  View<FaceY> v;
-  View<FaceZ> w;
-  View<FaceX> history_u;
-  View<FaceY> history_v;
-  View<FaceZ> history_w;
+  Plane<FaceX> u;
+  Plane<FaceY> v;
+  Plane<FaceZ> w;
+  Plane<FaceX> history_u;
+  Plane<FaceY> history_v;
+  Plane<FaceZ> history_w;
 };
 
-/// Right-hand side of the predicted velocity on plane k, all three components.
+/// Right-hand side of the predicted velocity, all three components, row by row of one plane.
 ///
 /// explicit_rk3:  out = u + dt [gamma H + rho H_old] + dt alpha (g - grad p),       H = -div(u u) + nu L u
 /// implicit_z:    out =     dt [gamma H + rho H_old] + dt alpha (g - grad p + nu Lz u),  H = -div(u u) + nu (Lx + Ly) u
@@ -43,7 +53,35 @@ struct MomentumOutput {
 /// The implicit forms give the increment before the factored solves. Central differences in flux form; fluxes through
 /// the sides of a w cell are weighted by the thickness of the two cells it spans, so that kinetic energy is conserved
 /// on stretched grids too.
-void momentum_plane(const Grid& grid, ViscousMode mode, HistoryUse history, const MomentumFactors& factors,
-                    const MomentumInput& in, const MomentumOutput& out, int k);
+class MomentumRows {
+ public:
+  /// The constants of a plane, by value for the row kernels.
+  struct Constants {
+    double dt_gamma, dt_rho, dt_alpha;
+    double x, y;                    // 1/4 of the inverse spacings: fluxes are products of two sums
+    double grad_x, grad_y, grad_z;  // dt alpha over the spacing
+    double visc_x, visc_y;          // nu over the square of the spacing
+    double cell_z;                  // 1/4 over the thickness of the u and v cells
+    double visc_z_up, visc_z_down;
+    double face_z;  // 1/4 over the thickness of the w cell
+    double visc_w_up, visc_w_down;
+    double weight_low, weight_high;  // of the two cells that a w cell spans; they sum to 1
+    Vec3 push;                       // dt alpha times the acceleration
+  };
+
+  MomentumRows(const Grid& grid, ViscousMode mode, HistoryUse history, const MomentumFactors& factors,
+               const MomentumInput& in, const MomentumOutput& out, int k);
+  /// Reads rows j - 1, j and j + 1 of the input; of the planes below and above j, of w below also j + 1, of v above
+  /// also j - 1.
+  void operator()(int j) const { row_(constants_, in_, out_, nx_, j); }
+
+ private:
+  using Row = void (*)(const Constants&, const MomentumInput&, const MomentumOutput&, int nx, int j);
+  Constants constants_;
+  MomentumInput in_;
+  MomentumOutput out_;
+  int nx_;
+  Row row_;
+};
 
 }  // namespace pliant

@@ -6,34 +6,76 @@
 
 namespace pliant {
 
-/// phi(i, j, k) = scale * div(u) on the cells of plane k.
-void divergence_plane(const Grid& grid, ConstView<FaceX> u, ConstView<FaceY> v, ConstView<FaceZ> w, double scale,
-                      View<Center> phi, int k);
+/// scale * div(u) on the cells of plane k, row by row.
+class DivergenceRows {
+ public:
+  DivergenceRows(const Grid& grid, ConstView<FaceX> u, ConstView<FaceY> v, ConstView<FaceZ> w, double scale,
+                 Plane<Center> out, int k);
+  void operator()(int j) const;
+
+ private:
+  ConstPlane<FaceX> u_;
+  ConstPlane<FaceY> v_;
+  ConstPlane<FaceZ> w_, w_below_;
+  Plane<Center> out_;
+  double sx_, sy_, sz_;
+  int nx_;
+};
 
 /// Which directions of the Laplacian of phi enter the pressure: those that were treated implicitly.
 enum class CorrectionTerms { none, z, all };
 
-struct CorrectedFields {
-  View<FaceX> u;
-  View<FaceY> v;
-  View<FaceZ> w;
-  View<Center> p;
+/// The weights of a correction.
+struct CorrectionFactors {
+  double dt_alpha;    ///< of the gradient in the velocity
+  double lap_weight;  ///< of the Laplacian in the pressure
 };
 
-/// u -= dt_alpha grad(phi); p += phi - lap_weight L(phi) on plane k. Needs the ghosts of phi.
-void correct_plane(const Grid& grid, CorrectionTerms terms, double dt_alpha, double lap_weight, ConstView<Center> phi,
-                   const CorrectedFields& fields, int k);
+/// The three velocity components on one plane.
+template <class Value>
+struct VelocityPlane {
+  Plane<FaceX, Value> u;
+  Plane<FaceY, Value> v;
+  Plane<FaceZ, Value> w;
+};
 
-/// a += b on the interior of plane k.
-template <class Location>
-void add_plane(View<Location> a, std::type_identity_t<ConstView<Location>> b, const Grid& grid, int k) {
-  const int nx = grid.nx(), ny = grid.ny();
-  for_rows(ny, [&](int j) {
-    double* __restrict to = a.at_row(j, k);
-    const double* __restrict from = b.at_row(j, k);
-    for_each(nx, [=](int i) { to[i] += from[i]; });
-  });
-}
+/// to = from - dt_alpha grad(phi) on plane k, row by row; `to` may be `from`. Reads the planes k and k + 1 of phi, with
+/// their ghosts.
+class VelocityCorrection {
+ public:
+  VelocityCorrection(const Grid& grid, double dt_alpha, ConstPlane<Center> phi, ConstPlane<Center> phi_above,
+                     VelocityPlane<const double> from, VelocityPlane<double> to, int k);
+  void operator()(int j) const;
+
+ private:
+  ConstPlane<Center> phi_, phi_above_;
+  VelocityPlane<const double> from_;
+  VelocityPlane<double> to_;
+  double gx_, gy_, gz_;
+  int nx_;
+};
+
+/// p += phi - lap_weight L(phi) on plane k, row by row, L made of the directions in `terms`. Reads the planes k - 1 to
+/// k + 1 of phi if L has z.
+class PressureCorrection {
+ public:
+  struct Phi {
+    ConstPlane<Center> below, here, above;
+  };
+  PressureCorrection(const Grid& grid, CorrectionTerms terms, double lap_weight, const Phi& phi, Plane<Center> p,
+                     int k);
+  void operator()(int j) const;
+
+ private:
+  template <CorrectionTerms terms>
+  void row(int j) const;
+
+  CorrectionTerms terms_;
+  Phi phi_;
+  Plane<Center> p_;
+  double lx_, ly_, up_, down_;
+  int nx_;
+};
 
 /// Integral over this rank's part of the box.
 template <class Location, class Value>
@@ -49,7 +91,10 @@ double integral(const Grid& grid, View<Location, Value> f) {
   return sum * grid.dx() * grid.dy();
 }
 
-/// Over this rank's cells: max of |u|/dx + |v|/dy + |w|/dz.
+/// max of |u|/dx + |v|/dy + |w|/dz over the cells of plane k, or `largest` if that is more; infinity if any is NaN.
+double convective_rate(const Grid& grid, ConstView<FaceX> u, ConstView<FaceY> v, ConstView<FaceZ> w, int k,
+                       double largest);
+/// The same over this rank's cells.
 double convective_rate(const Grid& grid, ConstView<FaceX> u, ConstView<FaceY> v, ConstView<FaceZ> w);
 /// Over this rank's cells: max of |div(u)|; NaN if any is.
 double largest_divergence(const Grid& grid, ConstView<FaceX> u, ConstView<FaceY> v, ConstView<FaceZ> w);

@@ -34,6 +34,7 @@ FlowParameters flow_parameters(const CaseConfig& config) {
   parameters.density = config.fluid.density;
   parameters.viscosity = config.fluid.viscosity / config.fluid.density;
   parameters.viscous = config.time.viscous;
+  parameters.sweeps = config.time.sweeps;
   parameters.boundary = config.boundary;
   parameters.signals = make_signals(config);
   parameters.forcing = config.forcing;
@@ -116,7 +117,6 @@ struct Simulation::Impl {
   Moment now;
   double next_event = 0;
   double dt = 0;
-  std::optional<double> rate;  // convective, of the present flow; unknown after a step until someone asks
   double last_cfl = 0;
   long last_shown = -1;
   long last_diagnosed = -1;
@@ -248,7 +248,6 @@ RunResult Simulation::Impl::loop(const Simulation& self, const Observer& observe
   while (!is_at_end() && state < stop_by_clock) {
     dt = choose_step();
     advance(dt);
-    rate.reset();
 
     state = agree_on_state(signals);
     if (state >= body_failed) fail(state);
@@ -297,9 +296,9 @@ bool Simulation::Impl::is_at_end() const {
 
 double Simulation::Impl::choose_step() {
   const auto scope = timer.measure("diagnostics");
-  if (!config.time.step && !rate) rate = flow.convective_rate();
+  const double rate = flow.step_rate();
   const auto limits =
-      step_limits(config, grid, std::max({rate.value_or(0), side_rate, bodies_rate()}), flow.viscous_step_limit());
+      step_limits(config, grid, std::max({rate, side_rate, bodies_rate()}), flow.viscous_step_limit());
   next_event = std::min(config.time.end, outputs->next_time(now.time));
   const double step = step_towards(limits.smallest(), next_event - now.time);
   if (!(now.time + step > now.time))
@@ -307,7 +306,7 @@ double Simulation::Impl::choose_step() {
         fmt::format("step {} (t = {:.6g}): the time step has shrunk to {:.3g}, ruled by {}: the flow "
                     "has become too fast to follow; look at the last fields in {}",
                     now.step, now.time, step, limits.ruling(), options.output.string()));
-  if (rate) last_cfl = step * *rate;
+  last_cfl = step * rate;
   if (now.step == first_step) warn_of_viscous_step(step);
   return step;
 }
@@ -352,11 +351,7 @@ int Simulation::Impl::agree_on_state(const StopSignals& signals) {
   }
   if (const int signal = signals.received()) state = stop_by_signal + signal;
   if (!body_problem.empty()) state = body_failed;
-  // The projection is global: what is not a number in one cell is in every cell after a step.
-  const auto& flow_state = std::as_const(flow).state();
-  const double probe = flow_state.u.view()(0, 0, 0) + flow_state.v.view()(0, 0, 0) + flow_state.w.view()(0, 0, 0) +
-                       flow_state.p.view()(0, 0, 0);
-  if (!std::isfinite(probe)) state = flow_failed;
+  if (!flow.may_be_finite()) state = flow_failed;
   return ranks.max(state);
 }
 
@@ -365,10 +360,9 @@ void Simulation::Impl::record(Record wanted) {
   const bool shown = wanted != Record::scheduled;
   if (!history && !shown) return;
   const auto scope = timer.measure("diagnostics");
-  if (!rate) rate = flow.convective_rate();
   HistoryRow row;
   row.dt = dt;
-  row.cfl = dt * *rate;
+  row.cfl = dt * flow.convective_rate();
   row.divergence = flow.largest_divergence();
   if (history) {
     row.kinetic_energy = flow.kinetic_energy();

@@ -25,7 +25,8 @@ SlabTridiagonal make_lines(const Grid& grid, const PlaneTransform& transform, st
 
 PoissonSolver::PoissonSolver(const Grid& grid, Field<Center>& phi, TransformPlanning planning)
     : planes_(grid.nz()),
-      grid_(grid),
+      nx_(grid.nx()),
+      ny_(grid.ny()),
       transform_(grid.nx(), grid.ny(), phi.row(), kind_of(grid, 0), kind_of(grid, 1), planning,
                  phi.view().at_row(0, 0)),
       z_lines_(make_lines(grid, transform_, phi.row())) {
@@ -45,21 +46,16 @@ PoissonSolver::PoissonSolver(const Grid& grid, Field<Center>& phi, TransformPlan
   else z_lines_.set_coefficients(rows);
 }
 
-void PoissonSolver::begin_plane(View<Center> phi, int k) {
-  transform_.forward(phi.at_row(0, k));
-  z_lines_.eliminate(k, phi.at_row(0, k), phi.at_row(0, k - 1));
-}
-
 void PoissonSolver::solve(View<Center> phi) {
   const double scale = rhs_scale();
-  const int nx = grid_.nx(), ny = grid_.ny();
-  solve(
-      phi,
-      [&](int k) {
-        for (int j = 0; j < ny; ++j)
-          for (int i = 0; i < nx; ++i) phi(i, j, k) *= scale;
-      },
-      [](int) {});
+  for (int k = 0; k < planes_; ++k) {
+    for (int j = 0; j < ny_; ++j)
+      for (int i = 0; i < nx_; ++i) phi(i, j, k) *= scale;
+    begin_plane(phi, k);
+  }
+  couple();
+  for (int k = planes_ - 1; k >= 0; --k) z_lines_.substitute(k, phi.at_row(0, k), phi.at_row(0, k + 1));
+  for (int k = 0; k < planes_; ++k) transform_.backward(phi.at_row(0, k));
 }
 
 }  // namespace pliant

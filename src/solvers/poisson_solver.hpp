@@ -17,37 +17,30 @@ class PoissonSolver {
   /// In place, on the interior. Collective.
   void solve(View<Center> phi);
 
-  /// The same as two sweeps with the caller's work in between, while planes are in cache: rhs_plane(k) for k ascending
-  /// must leave the right-hand side in plane k; solution_plane(k), k descending, finds the solution there.
-  template <class RhsPlane, class SolutionPlane>
-  void solve(View<Center> phi, RhsPlane&& rhs_plane, SolutionPlane&& solution_plane) {
-    for (int k = 0; k < planes_; ++k) {
-      rhs_plane(k);
-      begin_plane(phi, k);
-    }
-    z_lines_.couple();
-    for (int k = planes_ - 1; k >= 0; --k) {
-      z_lines_.substitute(k, phi.at_row(0, k), phi.at_row(0, k + 1));
-      // A plane is wanted as modes by the one below it, so it turns back one plane later.
-      if (k < planes_ - 1) {
-        transform_.backward(phi.at_row(0, k + 1));
-        solution_plane(k + 1);
-      }
-    }
-    transform_.backward(phi.at_row(0, 0));
-    solution_plane(0);
+  /// The same as two sweeps with the caller's work in between, while planes are in cache. First, for k ascending, with
+  /// rhs_scale() times the right-hand side in plane k of phi: transforms and eliminates it.
+  void begin_plane(View<Center> phi, int k) {
+    transform_.forward(phi.at_row(0, k));
+    z_lines_.eliminate(k, phi.at_row(0, k), phi.at_row(0, k - 1));
   }
-
-  /// The right-hand side must be multiplied by this before it is given to the sweeps (not to solve(phi) alone).
   double rhs_scale() const { return transform_.normalisation(); }
+  /// Then, collective:
+  void couple() { z_lines_.couple(); }
+  /// And for k descending, from the eliminated plane and the modes of plane k + 1 (not read at first) to its modes,
+  /// which may take the place of the eliminated plane; `first` planes may have been found before. PoissonPlanes does
+  /// all that.
+  void substitute(int k, ConstPlane<Center> eliminated, ConstPlane<Center> modes_above, Plane<Center> modes) const {
+    for (int j = 0; j < ny_; ++j)
+      z_lines_.substitute_row(k, j, eliminated.at_row(j), modes_above.at_row(j), modes.at_row(j));
+  }
+  void find_second_plane(Plane<Center> modes) const { z_lines_.find_second_plane(modes.at_row(0)); }
+  void to_physical(Plane<Center> modes) const { transform_.backward(modes.at_row(0)); }
+  bool is_coupled() const { return z_lines_.is_coupled(); }
 
   std::size_t bytes() const { return z_lines_.bytes(); }
 
  private:
-  void begin_plane(View<Center> phi, int k);
-
-  int planes_;
-  Grid grid_;
+  int planes_, nx_, ny_;
   PlaneTransform transform_;
   SlabTridiagonal z_lines_;
 };

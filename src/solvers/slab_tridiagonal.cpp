@@ -17,24 +17,25 @@ struct SlabTridiagonal::Uniform {
     double operator[](int) const { return value; }
   };
   const SlabTridiagonal& s;
-  Constant inverse(int k, int) const { return {s.inverse_[static_cast<std::size_t>(k)]}; }
-  Constant from_below(int k, int) const { return {s.from_below_[static_cast<std::size_t>(k)]}; }
+  Constant inverse(int step, int) const { return {s.inverse_[static_cast<std::size_t>(step)]}; }
+  Constant from_below(int step, int) const { return {s.from_below_[static_cast<std::size_t>(step)]}; }
 };
 
 struct SlabTridiagonal::PerMode {
   const SlabTridiagonal& s;
-  const double* inverse(int k, int row) const {
-    return s.inverse_.data() + s.table_index(k, s.fold_[static_cast<std::size_t>(row)]);
+  const double* inverse(int step, int row) const {
+    return s.inverse_.data() + s.table_index(step, s.fold_[static_cast<std::size_t>(row)]);
   }
-  const double* from_below(int k, int row) const {
-    return s.from_below_.data() + s.table_index(k, s.fold_[static_cast<std::size_t>(row)]);
+  const double* from_below(int step, int row) const {
+    return s.from_below_.data() + s.table_index(step, s.fold_[static_cast<std::size_t>(row)]);
   }
 };
 
-SlabTridiagonal::SlabTridiagonal(const Communicator& ranks, Ends ends, int planes, LinePlane lines)
+SlabTridiagonal::SlabTridiagonal(const Communicator& ranks, Ends ends, int planes, LinePlane lines, Order order)
     : planes_(planes),
       lines_(lines),
       per_mode_(false),
+      order_(order),
       interfaces_(ranks, ends, static_cast<std::size_t>(lines.width) * static_cast<std::size_t>(lines.rows)) {
   fold_.assign(static_cast<std::size_t>(lines.rows), 0);
 }
@@ -59,25 +60,42 @@ void SlabTridiagonal::set_coefficients(const SlabRows& rows) { set_coefficients(
 
 void SlabTridiagonal::set_coefficients(const SlabRows& rows, int pinned_row, int pinned_i, double addition) {
   rows_ = rows;
+  if (order_ == Order::descending) {
+    std::swap(rows_.lower, rows_.upper);
+    for (auto* of : {&rows_.lower, &rows_.diagonal, &rows_.upper}) std::reverse(of->begin(), of->end());
+  }
   const std::size_t lines = table_rows_ * table_width_;
   inverse_.resize(lines * static_cast<std::size_t>(planes_));
+  const auto n = static_cast<std::size_t>(lines_.width) * static_cast<std::size_t>(lines_.rows);
   if (interfaces_.is_coupled()) {
     from_below_.resize(inverse_.size());
-    const auto n = static_cast<std::size_t>(lines_.width) * static_cast<std::size_t>(lines_.rows);
-    weight_.resize(per_mode_ ? n : 1);
-    y_first_.resize(n);
-    y_last_.resize(n);
+    if (per_mode_) {
+      weight_.resize(n);
+      second_from_before_.resize(lines);
+      second_from_after_.resize(lines);
+    } else {
+      weights_.resize(static_cast<std::size_t>(planes_));
+    }
+    for (auto* of : {&first_, &second_, &last_}) of->resize(n);
   }
   std::vector<Closure> closures(lines);
   for (std::size_t row = 0; row < table_rows_; ++row)
     for (std::size_t i = 0; i < table_width_; ++i) {
       const bool pinned = static_cast<int>(row) == pinned_row && static_cast<int>(i) == pinned_i;
-      factorise_lines(static_cast<int>(row), static_cast<int>(i), per_mode_ ? shift_[row * table_width_ + i] : 0.0,
-                      pinned ? addition : 0.0, closures[row * table_width_ + i]);
+      const std::size_t line = row * table_width_ + i;
+      Closure second;
+      factorise_lines(static_cast<int>(row), static_cast<int>(i), per_mode_ ? shift_[line] : 0.0,
+                      pinned ? addition : 0.0, closures[line], second);
+      if (second_from_before_.empty()) continue;
+      second_from_before_[line] = second.first_below;
+      second_from_after_[line] = second.first_above;
     }
-  if (!per_mode_) return interfaces_.set_closure(closures[0]);
+  // ReducedInterfaces counts from below.
+  const auto from_below_upwards = [&](const Closure& c) {
+    return order_ == Order::ascending ? c : Closure{c.last_above, c.last_below, c.first_above, c.first_below};
+  };
+  if (!per_mode_) return interfaces_.set_closure(from_below_upwards(closures[0]));
   if (!interfaces_.is_coupled()) return;
-  const auto n = y_first_.size();
   std::vector<double> entries(4 * n);
   for (std::size_t row = 0; row < static_cast<std::size_t>(lines_.rows); ++row)
     for (std::size_t i = 0; i < table_width_; ++i) {
@@ -91,106 +109,171 @@ void SlabTridiagonal::set_coefficients(const SlabRows& rows, int pinned_row, int
   interfaces_.set_closure(entries.data(), entries.data() + n, entries.data() + 2 * n, entries.data() + 3 * n);
 }
 
-void SlabTridiagonal::factorise_lines(int row, int i, double shift, double addition, Closure& closure) {
+// Closures in the order of steps: "below" is the neighbour before the first, "above" the one after the last. `second`
+// holds the unknown of the second step in its first entries.
+void SlabTridiagonal::factorise_lines(int row, int i, double shift, double addition, Closure& closure,
+                                      Closure& second) {
   const bool coupled = interfaces_.is_coupled();
-  double pivot_inverse = 0, below = 0, weight = 1, first_below = 0;
-  for (int k = 0; k < planes_; ++k) {
-    const auto at = static_cast<std::size_t>(k);
-    const double diagonal = rows_.diagonal[at] + shift + (k == 0 ? addition : 0.0);
-    const double upper_before = k == 0 ? 0.0 : rows_.upper[at - 1];
-    const double eliminated = k == 0 ? 0.0 : rows_.lower[at] * upper_before * pivot_inverse;
-    if (k > 0) weight = flushed(-upper_before * pivot_inverse * weight);
+  double pivot_inverse = 0, below = 0, weight = 1, first_link = 0;
+  for (int step = 0; step < planes_; ++step) {
+    const auto at = static_cast<std::size_t>(step);
+    const double diagonal = rows_.diagonal[at] + shift + (step == 0 ? addition : 0.0);
+    const double upper_before = step == 0 ? 0.0 : rows_.upper[at - 1];
+    const double link = -upper_before * pivot_inverse;  // of the unknown before to this one
+    const double eliminated = step == 0 ? 0.0 : rows_.lower[at] * upper_before * pivot_inverse;
+    if (step == 1) first_link = link;
+    if (step > 1) weight = flushed(link * weight);
+    if (!weights_.empty()) weights_[at] = weight;
     pivot_inverse = 1 / (diagonal - eliminated);
-    below = flushed(-rows_.lower[at] * pivot_inverse * (k == 0 ? 1.0 : below));
-    const std::size_t entry = table_index(k, row) + static_cast<std::size_t>(i);
+    below = flushed(-rows_.lower[at] * pivot_inverse * (step == 0 ? 1.0 : below));
+    const std::size_t entry = table_index(step, row) + static_cast<std::size_t>(i);
     inverse_[entry] = pivot_inverse;
     if (coupled) from_below_[entry] = below;
-    first_below += weight * below;
+    if (step == 0) closure.first_below = below;
+    else second.first_below += weight * below;
   }
   const double last_upper = rows_.upper[static_cast<std::size_t>(planes_) - 1] * pivot_inverse;
-  closure = {first_below, -weight * last_upper, below, -last_upper};
+  closure.last_below = below;
+  closure.last_above = -last_upper;
+  if (planes_ == 1) {
+    closure.first_above = -last_upper;
+    return;
+  }
+  second.first_above = -weight * last_upper;
+  closure.first_below += first_link * second.first_below;
+  closure.first_above = first_link * second.first_above;
 }
 
-// d'_k = (d_k - lower_k d'_{k-1}) / pivot_k
+// Gathers what the end unknowns of a coupled slab need of this step.
 template <class Table>
-void SlabTridiagonal::eliminate_with(const Table& table, int k, double* plane, const double* plane_below) {
-  const double lower = k == 0 ? 0.0 : rows_.lower[static_cast<std::size_t>(k)];
+void SlabTridiagonal::reduce_row(const Table& table, int step, int row, const double* d) {
+  const int width = lines_.width;
+  const std::ptrdiff_t line = static_cast<std::ptrdiff_t>(row) * width;
+  double* __restrict first = first_.data() + line;
+  double* __restrict second = second_.data() + line;
+  if (step == planes_ - 1) std::copy_n(d, width, last_.data() + line);
+  if (step == 0) {
+    std::copy_n(d, width, first);
+    std::fill_n(second, width, 0.0);
+    if (per_mode_) std::fill_n(weight_.data() + line, width, 1.0);
+  } else if (!per_mode_) {
+    if (const double weight = weights_[static_cast<std::size_t>(step)]; weight != 0)
+      for_each(width, [=](int i) { second[i] += weight * d[i]; });
+  } else if (step == 1) {
+    std::copy_n(d, width, second);
+  } else {
+    const double upper_before = rows_.upper[static_cast<std::size_t>(step) - 1];
+    const auto inverse_before = table.inverse(step - 1, row);
+    double* __restrict weight = weight_.data() + line;
+    for_each(width, [=](int i) {
+      const double w = -upper_before * inverse_before[i] * weight[i];
+      weight[i] = w > negligible || w < -negligible ? w : 0.0;
+      second[i] += weight[i] * d[i];
+    });
+  }
+  if (step == planes_ - 1 && step > 0) {
+    const double upper = rows_.upper[0];
+    const auto inverse = table.inverse(0, row);
+    for_each(width, [=](int i) { first[i] -= upper * inverse[i] * second[i]; });
+  }
+}
+
+// d'_s = (d_s - lower_s d'_{s-1}) / pivot_s
+template <class Table, class Source>
+void SlabTridiagonal::eliminate_with(const Table& table, int step, int row, double* d, const double* before,
+                                     const Source& source) {
+  const int width = lines_.width;
+  const auto inverse = table.inverse(step, row);
+  if (step == 0) {
+    for_each(width, [=](int i) { d[i] = source(i) * inverse[i]; });
+  } else {
+    const double lower = rows_.lower[static_cast<std::size_t>(step)];
+    for_each(width, [=](int i) { d[i] = (source(i) - lower * before[i]) * inverse[i]; });
+  }
+  if (interfaces_.is_coupled()) reduce_row(table, step, row, d);
+}
+
+void SlabTridiagonal::eliminate_row(int k, int row, double* d, const double* before) {
+  const auto source = [=](int i) { return d[i]; };
+  if (per_mode_) eliminate_with(PerMode{*this}, step_of(k), row, d, before, source);
+  else eliminate_with(Uniform{*this}, step_of(k), row, d, before, source);
+}
+
+void SlabTridiagonal::eliminate_row_added(int k, int row, double* d, const double* before, const double* x_below,
+                                          const double* x, const double* x_above) {
+  const int step = step_of(k);
+  const auto at = static_cast<std::size_t>(step);
+  const bool up = order_ == Order::ascending;
+  const double below = up ? rows_.lower[at] : rows_.upper[at], above = up ? rows_.upper[at] : rows_.lower[at];
+  const double diagonal = rows_.diagonal[at];
+  eliminate_with(Uniform{*this}, step, row, d, before,
+                 [=](int i) { return d[i] + (below * x_below[i] + diagonal * x[i] + above * x_above[i]); });
+}
+
+// x_s = d'_s + from_below_s X_before - upper_s / pivot_s x_{s+1}
+template <class Table>
+void SlabTridiagonal::substitute_with(const Table& table, int step, int row, const double* d, const double* before,
+                                      double* x) const {
+  const double upper = rows_.upper[static_cast<std::size_t>(step)];
+  const int width = lines_.width;
+  const std::ptrdiff_t line = static_cast<std::ptrdiff_t>(row) * width;
+  const auto inverse = table.inverse(step, row);
+  const bool starts = step == planes_ - 1;
+  if (interfaces_.is_coupled()) {
+    const auto from_below = table.from_below(step, row);
+    const double* __restrict below = first_.data() + line;
+    const double* __restrict above = starts ? last_.data() + line : before;
+    for_each(width, [=](int i) { x[i] = d[i] + from_below[i] * below[i] - upper * inverse[i] * above[i]; });
+  } else if (starts) {
+    if (x != d) std::copy_n(d, width, x);
+  } else {
+    for_each(width, [=](int i) { x[i] = d[i] - upper * inverse[i] * before[i]; });
+  }
+}
+
+void SlabTridiagonal::substitute_row(int k, int row, const double* d, const double* before, double* x) const {
+  if (per_mode_) substitute_with(PerMode{*this}, step_of(k), row, d, before, x);
+  else substitute_with(Uniform{*this}, step_of(k), row, d, before, x);
+}
+
+void SlabTridiagonal::eliminate(int k, double* plane, const double* before) {
+  for (int row = 0; row < lines_.rows; ++row)
+    eliminate_row(k, row, plane + row * lines_.stride, before + row * lines_.stride);
+}
+
+void SlabTridiagonal::substitute(int k, double* plane, const double* before) const {
+  for (int row = 0; row < lines_.rows; ++row) {
+    double* x = plane + row * lines_.stride;
+    substitute_row(k, row, x, before + row * lines_.stride, x);
+  }
+}
+
+void SlabTridiagonal::couple() {
+  if (order_ == Order::ascending) interfaces_.solve(first_.data(), last_.data());
+  else interfaces_.solve(last_.data(), first_.data());
+}
+
+void SlabTridiagonal::find_second_plane(double* plane) const {
   const int width = lines_.width;
   for (int row = 0; row < lines_.rows; ++row) {
-    double* __restrict d = plane + row * lines_.stride;
-    const auto inverse = table.inverse(k, row);
-    if (k == 0) {
-      for_each(width, [=](int i) { d[i] *= inverse[i]; });
-    } else {
-      const double* __restrict below = plane_below + row * lines_.stride;
-      for_each(width, [=](int i) { d[i] = (d[i] - lower * below[i]) * inverse[i]; });
-    }
-  }
-  if (!interfaces_.is_coupled()) return;
-
-  const double upper_before = k == 0 ? 0.0 : rows_.upper[static_cast<std::size_t>(k) - 1];
-  if (!per_mode_)
-    weight_[0] = k == 0 ? 1.0 : flushed(-upper_before * inverse_[static_cast<std::size_t>(k) - 1] * weight_[0]);
-  for (int row = 0; row < lines_.rows; ++row) {
-    const double* __restrict d = plane + row * lines_.stride;
     const std::ptrdiff_t line = static_cast<std::ptrdiff_t>(row) * width;
-    double* __restrict y = y_first_.data() + line;
-    if (k == planes_ - 1) std::copy_n(d, width, y_last_.data() + line);
-    if (k == 0) {
-      if (per_mode_) std::fill_n(weight_.data() + line, width, 1.0);
-      std::copy_n(d, width, y);
-    } else if (per_mode_) {
-      const auto inverse_before = table.inverse(k - 1, row);
-      double* __restrict weight = weight_.data() + line;
-      for_each(width, [=](int i) {
-        const double w = -upper_before * inverse_before[i] * weight[i];
-        weight[i] = w > negligible || w < -negligible ? w : 0.0;
-        y[i] += weight[i] * d[i];
-      });
-    } else if (const double weight = weight_[0]; weight != 0) {
-      for_each(width, [=](int i) { y[i] += weight * d[i]; });
-    }
+    const std::size_t table = table_index(0, fold_[static_cast<std::size_t>(row)]);
+    const double* __restrict second = second_.data() + line;
+    const double* __restrict before = first_.data() + line;
+    const double* __restrict after = last_.data() + line;
+    const double* __restrict from_before = second_from_before_.data() + table;
+    const double* __restrict from_after = second_from_after_.data() + table;
+    double* __restrict x = plane + row * lines_.stride;
+    for_each(width, [=](int i) { x[i] = second[i] + from_before[i] * before[i] + from_after[i] * after[i]; });
   }
-}
-
-// x_k = d'_k + from_below_k X_below - upper_k / pivot_k x_{k+1}
-template <class Table>
-void SlabTridiagonal::substitute_with(const Table& table, int k, double* plane, const double* plane_above) {
-  const double upper = rows_.upper[static_cast<std::size_t>(k)];
-  const int width = lines_.width;
-  const bool coupled = interfaces_.is_coupled(), last = k == planes_ - 1;
-  if (last && !coupled) return;
-  for (int row = 0; row < lines_.rows; ++row) {
-    double* __restrict d = plane + row * lines_.stride;
-    const std::ptrdiff_t line = static_cast<std::ptrdiff_t>(row) * width;
-    const double* __restrict above = last ? y_last_.data() + line : plane_above + row * lines_.stride;
-    const auto inverse = table.inverse(k, row);
-    if (coupled) {
-      const auto from_below = table.from_below(k, row);
-      const double* __restrict below = y_first_.data() + line;
-      for_each(width, [=](int i) { d[i] += from_below[i] * below[i] - upper * inverse[i] * above[i]; });
-    } else {
-      for_each(width, [=](int i) { d[i] -= upper * inverse[i] * above[i]; });
-    }
-  }
-}
-
-void SlabTridiagonal::eliminate(int k, double* plane, const double* plane_below) {
-  if (per_mode_) eliminate_with(PerMode{*this}, k, plane, plane_below);
-  else eliminate_with(Uniform{*this}, k, plane, plane_below);
-}
-
-void SlabTridiagonal::couple() { interfaces_.solve(y_first_.data(), y_last_.data()); }
-
-void SlabTridiagonal::substitute(int k, double* plane, const double* plane_above) {
-  if (per_mode_) substitute_with(PerMode{*this}, k, plane, plane_above);
-  else substitute_with(Uniform{*this}, k, plane, plane_above);
 }
 
 std::size_t SlabTridiagonal::bytes() const {
-  return (inverse_.size() + from_below_.size() + shift_.size() + weight_.size() + y_first_.size() + y_last_.size()) *
-             sizeof(double) +
-         interfaces_.bytes();
+  std::size_t doubles = 0;
+  for (const auto* of : {&inverse_, &from_below_, &shift_, &weight_, &first_, &second_, &last_, &second_from_before_,
+                         &second_from_after_})
+    doubles += of->size();
+  return doubles * sizeof(double) + interfaces_.bytes();
 }
 
 }  // namespace pliant

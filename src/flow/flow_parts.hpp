@@ -1,0 +1,95 @@
+#pragma once
+#include <array>
+#include <utility>
+#include <vector>
+
+#include "boundary/fill_ghosts.hpp"
+#include "boundary/open_sides.hpp"
+#include "flow/flow_solver.hpp"
+#include "flow/helmholtz_adi.hpp"
+#include "flow/momentum.hpp"
+#include "flow/projection.hpp"
+#include "solvers/poisson_solver.hpp"
+
+namespace pliant {
+
+struct VelocityFields {
+  Field<FaceX>& u;
+  Field<FaceY>& v;
+  Field<FaceZ>& w;
+};
+
+inline HistoryUse history_use(const Substep& s) {
+  return s.index == 0 ? HistoryUse::write : s.index == 1 ? HistoryUse::read_write : HistoryUse::read;
+}
+
+/// The arrays and solvers of a flow, and what every way of sweeping over them does alike.
+struct FlowParts {
+  FlowParts(const Grid& grid, const FlowParameters& parameters);
+  FlowParts(const FlowParts&) = delete;
+  FlowParts& operator=(const FlowParts&) = delete;
+
+  Grid grid;
+  FlowParameters parameters;
+  FlowState state;
+  Field<FaceX> history_u;  // explicit terms of the last substep
+  Field<FaceY> history_v;
+  Field<FaceZ> history_w;
+  Field<Center> phi;  // pressure increment
+  std::array<FieldRules, 3> rules;
+  FieldRules rules_p;
+  OpenSides open;
+  SlabHalo halo;
+  PoissonSolver poisson;
+  std::vector<HelmholtzAdi> adi;  // [substep][component]; empty if all terms are explicit
+  PhaseTimer timer;
+
+  VelocityFields state_velocity() { return {state.u, state.v, state.w}; }
+  bool is_implicit() const { return !adi.empty(); }
+  CorrectionTerms correction_terms() const;
+
+  /// The three implicit solves of a substep, made ready.
+  HelmholtzAdi* begin_viscous(const Substep& s, double dt);
+  /// Row j of the right-hand sides of plane k goes into the solves.
+  static void begin_viscous_row(HelmholtzAdi* solve, const VelocityPlane<double>& rows, int j, int k);
+  /// The plane is complete; `predicted` is the whole field and holds plane k + 1 as this left it.
+  void end_viscous_plane(HelmholtzAdi* solve, const VelocityFields& predicted, const MomentumInput& old, int k) const;
+  /// After all planes: from the lowest upwards to the predicted velocity, with the ghosts in the planes. Collective.
+  void finish_viscous(HelmholtzAdi* solve, const VelocityFields& predicted);
+
+  void fill_plane(const VelocityFields& velocity, int k) const;  ///< x and y ghosts
+  /// Ghost planes in z, and the faces on the sides, of a predicted velocity. Collective.
+  void fill_predicted_ends(const VelocityFields& predicted, GhostPlanes which);
+  /// The same of the state, all fields. Collective.
+  void fill_state_ends();
+  void fill_state_ghosts();  ///< x and y ghosts as well
+
+  /// From the predicted velocity to the eliminated modes of the pressure increment. Returns the largest convective rate
+  /// of this rank's part of that velocity if it is wanted, else 0.
+  double begin_projection(const VelocityFields& predicted, double dt_alpha, bool wants_rate);
+
+  std::size_t bytes() const;
+};
+
+/// One way through the fields.
+class FlowSweeps {
+ public:
+  virtual ~FlowSweeps() = default;
+  /// From the state at the beginning of the substep to the predicted velocity, with the ghosts that the projection
+  /// and `ends` want. Collective.
+  virtual void predict(const Substep& s, const MomentumFactors& factors, double dt) = 0;
+  virtual VelocityFields predicted() = 0;
+  /// Which ghost planes predicted() must have before it is projected.
+  virtual GhostPlanes wanted_ends() const = 0;
+  /// From predicted() to the state, at once or when it is next wanted. Collective. Returns begin_projection()'s rate.
+  virtual double project(const CorrectionFactors& factors, bool wants_rate) = 0;
+  /// Makes the state what it stands for. Collective.
+  virtual void settle() = 0;
+  /// Forgets what settle() would do: the state is about to be given anew.
+  virtual void discard() = 0;
+  /// Takes the velocity of a settled state as predicted().
+  virtual void adopt_state() = 0;
+  virtual std::size_t bytes() const = 0;
+};
+
+}  // namespace pliant
