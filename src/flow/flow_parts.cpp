@@ -30,7 +30,7 @@ FlowParts::FlowParts(const Grid& g, const FlowParameters& p)
       rules_p(pressure_rules(p.boundary)),
       open(g, p.boundary, p.signals),
       halo(g.ranks(), halo_ends(g), g.nz()),
-      poisson(g, phi) {
+      poisson(g) {
   for (int c = 0; c < 3; ++c) open.lend_values(rules[static_cast<std::size_t>(c)], c);
   if (p.viscous == ViscousMode::explicit_rk3) return;
   // One set of factors for each substep and component, kept while the time step stays.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/loops.hpp"
+
 namespace pliant {
 namespace {
 
@@ -12,6 +14,12 @@ void copy_row(ConstPlane<Location> from, Plane<Location> to, int j, int nx) {
 
 VelocityPlane<double> planes_of(FlowState& state, int k) {
   return {state.u.view().at_plane(k), state.v.view().at_plane(k), state.w.view().at_plane(k)};
+}
+
+void prefetch(const VelocityPlane<double>& f, int j, int nx) {
+  prefetch_row(f.u.at_row(j), nx);
+  prefetch_row(f.v.at_row(j), nx);
+  prefetch_row(f.w.at_row(j), nx);
 }
 
 }  // namespace
@@ -147,6 +155,22 @@ void FusedSweeps::make_plane_below_bottom() {
   extend(w_[-1], w_[0], m.rules[2][4]);
 }
 
+// What row j + 1 of plane k will want, from memory and from the outer caches: a fifth of the sweep's time.
+void FusedSweeps::prefetch_for_next_row(int j, int k) const {
+  auto& m = parts_;
+  const int nx = m.grid.nx();
+  prefetch(planes_of(m.state, k), j + 1, nx);
+  prefetch(ring(k + 1), j + 1, nx);
+  prefetch_row(m.history_u.view().at_row(j + 1, k), nx);
+  prefetch_row(m.history_v.view().at_row(j + 1, k), nx);
+  prefetch_row(m.history_w.view().at_row(j + 1, k), nx);
+  if (j + 2 >= m.grid.ny()) return;
+  prefetch(ring(k), j + 2, nx);
+  if (k == 0) return;
+  prefetch(planes_of(m.state, k - 1), j + 2, nx);
+  prefetch_row(m.state.p.view().at_row(j + 2, k - 1), nx);
+}
+
 void FusedSweeps::predict(const Substep& s, const MomentumFactors& factors, double dt) {
   auto& m = parts_;
   const int nz = m.grid.nz(), nx = m.grid.nx(), ny = m.grid.ny();
@@ -178,6 +202,7 @@ void FusedSweeps::predict(const Substep& s, const MomentumFactors& factors, doub
       for (int j = 0; j < ny; ++j) {
         if (below && j + 1 < ny) below->row(j + 1);
         if (below && j + 1 == ny) below->ghost_rows();
+        prefetch_for_next_row(j, k);
         momentum(j);
         if (solve != nullptr) {
           FlowParts::begin_viscous_row(solve, out, j, k);

@@ -23,13 +23,12 @@ SlabTridiagonal make_lines(const Grid& grid, const PlaneTransform& transform, st
 
 }  // namespace
 
-PoissonSolver::PoissonSolver(const Grid& grid, Field<Center>& phi, TransformPlanning planning)
+PoissonSolver::PoissonSolver(const Grid& grid, TransformPlanning planning)
     : planes_(grid.nz()),
       nx_(grid.nx()),
       ny_(grid.ny()),
-      transform_(grid.nx(), grid.ny(), phi.row(), kind_of(grid, 0), kind_of(grid, 1), planning,
-                 phi.view().at_row(0, 0)),
-      z_lines_(make_lines(grid, transform_, phi.row())) {
+      transform_(grid.nx(), grid.ny(), PlaneLayout(grid).row, kind_of(grid, 0), kind_of(grid, 1), planning),
+      z_lines_(make_lines(grid, transform_, PlaneLayout(grid).row)) {
   SlabRows rows;
   const auto dz_c = grid.dz_c(), dz_f = grid.dz_f();
   for (int k = 0; k < planes_; ++k) {

@@ -11,8 +11,8 @@ namespace pliant {
 /// periodic or bounded the mean of rhs must be zero to round-off; phi is then fixed up to a constant.
 class PoissonSolver {
  public:
-  /// Collective. Uses phi's memory for planning and overwrites it.
-  PoissonSolver(const Grid& grid, Field<Center>& phi, TransformPlanning planning = TransformPlanning::estimate);
+  /// Collective. For phi in fields of this grid.
+  explicit PoissonSolver(const Grid& grid, TransformPlanning planning = TransformPlanning::estimate);
 
   /// In place, on the interior. Collective.
   void solve(View<Center> phi);

@@ -33,7 +33,7 @@ double relative_residual(const Size& size, int topology, StretchingLaw law) {
   const auto boundary = sides(topology);
   const Grid grid(box, boundary, ranks);
   Field<Center> phi(grid), rhs(grid);
-  PoissonSolver solver(grid, phi);
+  PoissonSolver solver(grid);
 
   const auto dz_c = grid.dz_c(), dz_f = grid.dz_f();
   const int nx = grid.nx(), ny = grid.ny(), nz = grid.nz();
