@@ -30,7 +30,6 @@ struct CheckArguments {
 
 /// A bound on |u|/dx + |v|/dy + |w|/dz of the initial flow, known without computing it.
 double initial_rate(const InitialConfig& initial, const Grid& grid) {
-  const Vec3 h{grid.dx(), grid.dy(), grid.smallest_dz()};
   const double a = std::abs(initial.amplitude);
   const Vec3 mean{std::abs(initial.velocity.x), std::abs(initial.velocity.y), std::abs(initial.velocity.z)};
   Vec3 speed;
@@ -51,7 +50,7 @@ double initial_rate(const InitialConfig& initial, const Grid& grid) {
       speed = mean + Vec3{a, a, a};
       break;
   }
-  return speed.x / h.x + speed.y / h.y + speed.z / h.z;
+  return grid.convective_rate(speed);
 }
 
 std::string number(double value) { return std::isfinite(value) ? fmt::format("{:.6g}", value) : "none"; }

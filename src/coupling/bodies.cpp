@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
+#include "core/angles.hpp"
 #include "core/error.hpp"
 #include "coupling/body_stream.hpp"
 #include "coupling/make_body_kind.hpp"
@@ -59,7 +59,6 @@ Body Bodies::blank_copy(std::size_t kind, long id) const {
 }
 
 Body Bodies::make_copy(std::size_t k, long id, const Placement& placement) const {
-  constexpr double radian = std::numbers::pi / 180;
   const BodyKind& kind = kinds_[k];
   const auto& config = kind.config;
   Body body = blank_copy(k, id);
@@ -73,7 +72,7 @@ Body Bodies::make_copy(std::size_t k, long id, const Placement& placement) const
     body.pose.angular_velocity = config.rigid.angular_velocity;
   }
   if (config.motion == MotionKind::hinge) {
-    body.hinge = {radian * config.hinge.angle, radian * config.hinge.rate};
+    body.hinge = {degree * config.hinge.angle, degree * config.hinge.rate};
     body.pose = hinged_pose(body, kind);
   }
   if (config.motion == MotionKind::prescribed) body.pose = prescribed_pose(body, kind, 0);
