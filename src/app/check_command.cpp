@@ -62,8 +62,8 @@ struct CheckedBodies {
 
 CheckedBodies make_bodies(const CaseConfig& config, const Grid& grid) {
   CheckedBodies bodies;
-  for (const auto& placed : place_bodies(config)) {
-    bodies.kinds.push_back(make_body_kind(config, bodies.kinds.size(), grid));
+  for (auto& placed : place_bodies(config)) {
+    bodies.kinds.push_back(make_body_kind(config, bodies.kinds.size(), std::move(placed.shape), grid));
     bodies.copies.push_back(static_cast<long>(placed.placements.size()));
   }
   return bodies;

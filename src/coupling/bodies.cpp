@@ -30,16 +30,16 @@ Quaternion to_quaternion(const Mat3& m) {
 }  // namespace
 
 Bodies::Bodies(const CaseConfig& config, const Grid& grid) : grid_(grid), first_id_(1, 0) {
+  auto placed = place_bodies(config);
   std::vector<std::string> problems;
   for (std::size_t k = 0; k < config.bodies.size(); ++k) {
     try {
-      kinds_.push_back(make_body_kind(config, k, grid));
+      kinds_.push_back(make_body_kind(config, k, std::move(placed[k].shape), grid));
     } catch (const InputError& error) {
       problems.insert(problems.end(), error.problems().begin(), error.problems().end());
     }
   }
   if (!problems.empty()) throw InputError(std::move(problems));
-  const auto placed = place_bodies(config);
   for (const auto& body : placed) first_id_.push_back(first_id_.back() + static_cast<long>(body.placements.size()));
   for (std::size_t k = 0; k < kinds_.size(); ++k)
     for (std::size_t c = 0; c < placed[k].placements.size(); ++c) {

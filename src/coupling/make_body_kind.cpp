@@ -133,14 +133,10 @@ void require_enough_markers(const BodyKind& kind, const CaseConfig& config, cons
 
 }  // namespace
 
-BodyKind make_body_kind(const CaseConfig& config, std::size_t index, const Grid& grid) {
+BodyKind make_body_kind(const CaseConfig& config, std::size_t index, Surface shape, const Grid& grid) {
   BodyKind kind;
   kind.config = config.bodies[index];
-  auto at_origin = kind.config;
-  at_origin.center = {};
-  at_origin.rotation = {};
-  at_origin.placement = {};
-  kind.prototype = make_body(at_origin, {config.folder, grid.mean_spacing()});
+  kind.prototype = make_body(kind.config, std::move(shape), grid.mean_spacing());
   auto& body = kind.prototype;
   const bool closed = body.mesh.is_closed();
   MassProperties material;
