@@ -20,6 +20,7 @@
 #include "simulation/time_step.hpp"
 #include "structure/place_bodies.hpp"
 #include "structure/stable_time_step.hpp"
+#include "transfer/markers.hpp"
 
 namespace pliant {
 namespace {
@@ -60,12 +61,17 @@ struct CheckedBodies {
   std::vector<long> copies;
 };
 
+bool acts_on_flow(const CheckedBodies& bodies) {
+  return std::any_of(bodies.kinds.begin(), bodies.kinds.end(), [](auto& kind) { return kind.acts_on_flow(); });
+}
+
 CheckedBodies make_bodies(const CaseConfig& config, const Grid& grid) {
   CheckedBodies bodies;
   for (auto& placed : place_bodies(config)) {
     bodies.kinds.push_back(make_body_kind(config, bodies.kinds.size(), std::move(placed.shape), grid));
     bodies.copies.push_back(static_cast<long>(placed.placements.size()));
   }
+  if (acts_on_flow(bodies)) require_room_for_markers(grid);
   return bodies;
 }
 
@@ -126,10 +132,8 @@ void print_steps(const CaseConfig& config, const Grid& grid, const CheckedBodies
   for (const auto& kind : bodies.kinds)
     if (!kind.has_pose()) print_springs(config, kind.prototype, step);
   fmt::print("# the fluid's step: {}, ruled by {}\n", number(step), ruling.ruling());
-  const bool acts =
-      std::any_of(bodies.kinds.begin(), bodies.kinds.end(), [](auto& kind) { return kind.acts_on_flow(); });
   if (const double viscous_number = forcing_viscous_number(config, grid, step);
-      acts && viscous_number > largest_forcing_viscous_number)
+      acts_on_flow(bodies) && viscous_number > largest_forcing_viscous_number)
     fmt::print(
         "# warning: that is {:.2g} h^2/nu, above {}: drag of bodies falls short (time.max_step, "
         "immersed_boundary.forcing_iterations)\n",
