@@ -112,7 +112,7 @@ TEST(BodyRestart, LooselyCoupled) {
 }
 
 TEST(BodyRestart, StronglyCoupledByAitken) {
-  expect_continued(everything(CouplingKind::strong, StrongScheme::aitken), Pairs::from_all_ranks);
+  expect_continued(everything(CouplingKind::strong, StrongScheme::aitken), Pairs::all);
 }
 
 TEST(BodyRestart, StronglyCoupledByHamming) {
