@@ -4,9 +4,9 @@
 #include <cstdio>
 
 #include "loads/momentum_balance.hpp"
-#include "loads/probe_loads.hpp"
 #include "mpi/transfer/sphere_in_flow.hpp"
 #include "transfer/mls_sampler.hpp"
+#include "unit/loads/sampled_loads.hpp"
 
 // Probe loads on a fixed sphere against the momentum balance of the same flow: the table of bench/markers.md.
 namespace {
@@ -30,10 +30,7 @@ void measure(const test::SphereInFlow& c, int frequency, int steps, double retra
   layout.place_inside(surface.positions, zero, retraction, markers);
   DirectForcing forcing(grid, 1.0, c.iterations);
   forcing.place(markers.positions, markers.areas, markers.velocities);
-  for (int n = 0; n < steps; ++n)
-    solver.advance(c.courant, [&](const Substep& s, double dt, View<FaceX> u, View<FaceY> v, View<FaceZ> w) {
-      forcing.apply(s, dt, u, v, w);
-    });
+  for (int n = 0; n < steps; ++n) test::advance(solver, forcing, c.courant);
 
   std::vector<Vec3> forces(markers.positions.size());
   forcing.add_forces(forces);
@@ -50,13 +47,7 @@ void measure(const test::SphereInFlow& c, int frequency, int steps, double retra
     for (const ProbeForm form : {ProbeForm::gradient, ProbeForm::one_sided, ProbeForm::quadratic}) {
       const double offset = retraction > 0 ? 0 : forced_surface_offset;
       const ProbeSettings settings{form, Wetting::outside, h, offset, 1.0, solver.parameters().viscosity, {}};
-      std::vector<Vec3> points;
-      probe_points(sites, settings, points);
-      std::vector<FlowSample> samples(points.size());
-      sampler.sample(points, samples);
-      ProbeLoads loads;
-      evaluate_probes(sites, settings, samples, loads);
-      fmt::print(" | {:.2f}", sum(loads.forces).x / exact);
+      fmt::print(" | {:.2f}", sum(loads_of(sites, settings, sampler).forces).x / exact);
     }
     fmt::print(" |\n");
   }

@@ -20,6 +20,7 @@
 #include "simulation/time_step.hpp"
 #include "structure/place_bodies.hpp"
 #include "structure/stable_time_step.hpp"
+#include "transfer/markers.hpp"
 
 namespace pliant {
 namespace {
@@ -30,7 +31,6 @@ struct CheckArguments {
 
 /// A bound on |u|/dx + |v|/dy + |w|/dz of the initial flow, known without computing it.
 double initial_rate(const InitialConfig& initial, const Grid& grid) {
-  const Vec3 h{grid.dx(), grid.dy(), grid.smallest_dz()};
   const double a = std::abs(initial.amplitude);
   const Vec3 mean{std::abs(initial.velocity.x), std::abs(initial.velocity.y), std::abs(initial.velocity.z)};
   Vec3 speed;
@@ -51,7 +51,7 @@ double initial_rate(const InitialConfig& initial, const Grid& grid) {
       speed = mean + Vec3{a, a, a};
       break;
   }
-  return speed.x / h.x + speed.y / h.y + speed.z / h.z;
+  return grid.convective_rate(speed);
 }
 
 std::string number(double value) { return std::isfinite(value) ? fmt::format("{:.6g}", value) : "none"; }
@@ -61,12 +61,17 @@ struct CheckedBodies {
   std::vector<long> copies;
 };
 
+bool acts_on_flow(const CheckedBodies& bodies) {
+  return std::any_of(bodies.kinds.begin(), bodies.kinds.end(), [](auto& kind) { return kind.acts_on_flow(); });
+}
+
 CheckedBodies make_bodies(const CaseConfig& config, const Grid& grid) {
   CheckedBodies bodies;
-  for (const auto& placed : place_bodies(config)) {
-    bodies.kinds.push_back(make_body_kind(config, bodies.kinds.size(), grid));
+  for (auto& placed : place_bodies(config)) {
+    bodies.kinds.push_back(make_body_kind(config, bodies.kinds.size(), std::move(placed.shape), grid));
     bodies.copies.push_back(static_cast<long>(placed.placements.size()));
   }
+  if (acts_on_flow(bodies)) require_room_for_markers(grid);
   return bodies;
 }
 
@@ -127,10 +132,8 @@ void print_steps(const CaseConfig& config, const Grid& grid, const CheckedBodies
   for (const auto& kind : bodies.kinds)
     if (!kind.has_pose()) print_springs(config, kind.prototype, step);
   fmt::print("# the fluid's step: {}, ruled by {}\n", number(step), ruling.ruling());
-  const bool acts =
-      std::any_of(bodies.kinds.begin(), bodies.kinds.end(), [](auto& kind) { return kind.acts_on_flow(); });
   if (const double viscous_number = forcing_viscous_number(config, grid, step);
-      acts && viscous_number > largest_forcing_viscous_number)
+      acts_on_flow(bodies) && viscous_number > largest_forcing_viscous_number)
     fmt::print(
         "# warning: that is {:.2g} h^2/nu, above {}: drag of bodies falls short (time.max_step, "
         "immersed_boundary.forcing_iterations)\n",

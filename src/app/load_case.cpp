@@ -8,8 +8,9 @@
 #include "config/read_case.hpp"
 #include "config/validate.hpp"
 #include "core/error.hpp"
-#include "parallel/agree.hpp"
+#include "grid/grid.hpp"
 #include "mesh/geometry.hpp"
+#include "parallel/agree.hpp"
 #include "signals/make_signal.hpp"
 #include "structure/make_body.hpp"
 #include "structure/overlap.hpp"
@@ -19,7 +20,7 @@ namespace pliant {
 namespace {
 /// A body or one of its copies, at its place.
 struct PlacedCopy {
-  const BodyConfig& body;
+  double probe_reach;
   std::string place;  ///< for messages
   const TriangleMesh& mesh;
   std::vector<Vec3> positions;
@@ -37,21 +38,18 @@ void check_extent(const CaseConfig& config, const PlacedCopy& copy, std::vector<
 }
 
 /// How far from its surface the stress is taken that moves a body; 0 for bodies that move without it.
-double probe_reach(const CaseConfig& config, const BodyConfig& body) {
-  const bool is_driven = body.motion == MotionKind::deformable ||
-                         (body.loads == LoadSource::probes &&
-                          (body.motion == MotionKind::rigid || body.motion == MotionKind::hinge));
-  const auto& box = config.box;
-  const double spacing =
-      (box.size.x / box.cells[0] + box.size.y / box.cells[1] + box.size.z / box.cells[2]) / 3;
-  const auto traction = resolve(body.traction, body.motion, spacing);
+double probe_reach(const BodyConfig& body, double mean_spacing) {
+  const bool is_driven =
+      body.motion == MotionKind::deformable ||
+      (body.loads == LoadSource::probes && (body.motion == MotionKind::rigid || body.motion == MotionKind::hinge));
+  const auto traction = resolve(body.traction, body.motion, mean_spacing);
   if (!is_driven || traction.form == TractionForm::none || traction.form == TractionForm::drag) return 0;
   return traction.form == TractionForm::quadratic ? 2 * traction.probe_length : traction.probe_length;
 }
 
 /// The flow is taken at the ends of the probes, which have to be in the box as the body has.
 void check_probes(const CaseConfig& config, const PlacedCopy& copy, std::vector<std::string>& problems) {
-  const double length = probe_reach(config, copy.body);
+  const double length = copy.probe_reach;
   if (length == 0) return;
   const auto& box = config.box;
   const auto centroids = face_centroids(copy.mesh, copy.positions);
@@ -88,18 +86,18 @@ bool fits_beside_its_images(const CaseConfig& config, const BoundingSphere& sphe
   return true;
 }
 
-void check_copies(const CaseConfig& config, std::size_t index, const PlacedBody& placed,
+void check_copies(const CaseConfig& config, const Grid& grid, std::size_t index, const PlacedBody& placed,
                   std::vector<std::string>& problems) {
   constexpr std::size_t enough = 20;
   const auto& body = config.bodies[index];
+  const double reach = probe_reach(body, grid.mean_spacing());
   const auto before = problems.size();
   for (std::size_t i = 0; i < placed.placements.size() && problems.size() < before + enough; ++i) {
     const auto sphere = place(placed.sphere, placed.placements[i]);
-    if (is_clear_of_sides(config, sphere, probe_reach(config, body)) && fits_beside_its_images(config, sphere))
-      continue;
+    if (is_clear_of_sides(config, sphere, reach) && fits_beside_its_images(config, sphere)) continue;
     auto where = place_of(config, "body." + body.name);
     if (has_copies(body)) where += ", copy " + copy_name(body, i, placed.placements.size()) + ",";
-    const PlacedCopy copy{body, where, placed.shape.mesh, place(placed.shape.positions, placed.placements[i])};
+    const PlacedCopy copy{reach, where, placed.shape.mesh, place(placed.shape.positions, placed.placements[i])};
     const auto so_far = problems.size();
     check_extent(config, copy, problems);
     if (problems.size() == so_far) check_probes(config, copy, problems);
@@ -108,8 +106,9 @@ void check_copies(const CaseConfig& config, std::size_t index, const PlacedBody&
 
 void check_bodies(const CaseConfig& config) {
   const auto placed = place_bodies(config);
+  const Grid grid(config.box, config.boundary, Communicator(MPI_COMM_SELF));
   std::vector<std::string> problems;
-  for (std::size_t b = 0; b < placed.size(); ++b) check_copies(config, b, placed[b], problems);
+  for (std::size_t b = 0; b < placed.size(); ++b) check_copies(config, grid, b, placed[b], problems);
   for (auto& problem : find_overlaps(config, placed)) problems.push_back(std::move(problem));
   if (!problems.empty()) throw InputError(std::move(problems));
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/angles.hpp"
 #include "core/error.hpp"
 
 namespace pliant {
@@ -26,7 +27,7 @@ DropShape maffettone_minale(double capillary, double viscosity_ratio) {
   shape.major = std::sqrt((s + spread) / scale);
   shape.minor = std::sqrt((s - spread) / scale);
   shape.vortical = std::sqrt(t / scale);
-  shape.angle = 0.5 * std::atan2(f1, capillary) * 180 / std::numbers::pi;
+  shape.angle = 0.5 * std::atan2(f1, capillary) / degree;
   return shape;
 }
 

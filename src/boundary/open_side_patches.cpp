@@ -92,10 +92,6 @@ std::vector<PatchFlowRate> OpenSides::patch_flow_rates() const {
   return rates;
 }
 
-double OpenSides::smallest_spacing(int direction) const {
-  return direction == 0 ? grid_.dx() : direction == 1 ? grid_.dy() : grid_.smallest_dz();
-}
-
 double OpenSides::largest_rate(double end) const {
   constexpr int samples = 2000;
   double longest = 0;
@@ -110,9 +106,7 @@ double OpenSides::largest_rate(double end) const {
     for (const Side& side : sides_) {
       if (side.inflow != nullptr) {
         const double factor = side.signal ? side.signal->value(time) : 1.0;
-        double rate = 0;
-        for (int d = 0; d < 3; ++d) rate += std::abs(side.inflow->velocity[d]) / smallest_spacing(d);
-        if (side.signal) largest = std::max(largest, rate * std::abs(factor));
+        if (side.signal) largest = std::max(largest, grid_.convective_rate(side.inflow->velocity) * std::abs(factor));
         net -= side.outwards() * side.inflow->velocity[side.direction()] * side.area * factor;
       }
       const double dz = grid_.global_dz_c()[side.number % 2 == 0 ? 0 : grid_.cells()[2] - 1];
@@ -125,7 +119,7 @@ double OpenSides::largest_rate(double end) const {
     }
     for (const Side& side : sides_)
       if (const FlowPatch* patch = side.balance_patch())
-        largest = std::max(largest, std::abs(net) / patch->area / smallest_spacing(2));
+        largest = std::max(largest, std::abs(net) / patch->area / grid_.smallest_dz());
   };
   for (int n = 0; n <= samples; ++n) {
     sample(end * n / samples);

@@ -125,7 +125,6 @@ class OpenSides {
   void balance();
   double face_area(const Side& side, int b) const;
   std::vector<double> outward_fluxes() const;
-  double smallest_spacing(int direction) const;
   /// One upwind step from an old value towards the one next to it.
   static double towards(double old, double courant, double neighbour);
 

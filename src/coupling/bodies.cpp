@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
+#include "core/angles.hpp"
 #include "core/error.hpp"
 #include "coupling/body_stream.hpp"
 #include "coupling/make_body_kind.hpp"
@@ -30,16 +30,16 @@ Quaternion to_quaternion(const Mat3& m) {
 }  // namespace
 
 Bodies::Bodies(const CaseConfig& config, const Grid& grid) : grid_(grid), first_id_(1, 0) {
+  auto placed = place_bodies(config);
   std::vector<std::string> problems;
   for (std::size_t k = 0; k < config.bodies.size(); ++k) {
     try {
-      kinds_.push_back(make_body_kind(config, k, grid));
+      kinds_.push_back(make_body_kind(config, k, std::move(placed[k].shape), grid));
     } catch (const InputError& error) {
       problems.insert(problems.end(), error.problems().begin(), error.problems().end());
     }
   }
   if (!problems.empty()) throw InputError(std::move(problems));
-  const auto placed = place_bodies(config);
   for (const auto& body : placed) first_id_.push_back(first_id_.back() + static_cast<long>(body.placements.size()));
   for (std::size_t k = 0; k < kinds_.size(); ++k)
     for (std::size_t c = 0; c < placed[k].placements.size(); ++c) {
@@ -59,7 +59,6 @@ Body Bodies::blank_copy(std::size_t kind, long id) const {
 }
 
 Body Bodies::make_copy(std::size_t k, long id, const Placement& placement) const {
-  constexpr double radian = std::numbers::pi / 180;
   const BodyKind& kind = kinds_[k];
   const auto& config = kind.config;
   Body body = blank_copy(k, id);
@@ -73,7 +72,7 @@ Body Bodies::make_copy(std::size_t k, long id, const Placement& placement) const
     body.pose.angular_velocity = config.rigid.angular_velocity;
   }
   if (config.motion == MotionKind::hinge) {
-    body.hinge = {radian * config.hinge.angle, radian * config.hinge.rate};
+    body.hinge = {degree * config.hinge.angle, degree * config.hinge.rate};
     body.pose = hinged_pose(body, kind);
   }
   if (config.motion == MotionKind::prescribed) body.pose = prescribed_pose(body, kind, 0);

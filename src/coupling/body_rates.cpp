@@ -9,8 +9,7 @@ namespace {
 double rate_of(const RigidState& motion, double extent, const Grid& grid) {
   const double turning = norm(motion.angular_velocity) * extent;
   const Vec3 v = motion.velocity;
-  return (std::abs(v.x) + turning) / grid.dx() + (std::abs(v.y) + turning) / grid.dy() +
-         (std::abs(v.z) + turning) / grid.smallest_dz();
+  return grid.convective_rate({std::abs(v.x) + turning, std::abs(v.y) + turning, std::abs(v.z) + turning});
 }
 
 }  // namespace

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numbers>
 
 #include "config/validate.hpp"
+#include "core/angles.hpp"
 #include "core/error.hpp"
 #include "coupling/added_mass.hpp"
 #include "mesh/geometry.hpp"
@@ -16,12 +16,6 @@
 
 namespace pliant {
 namespace {
-
-constexpr double radian = std::numbers::pi / 180;
-
-double mean_spacing(const Grid& grid) { return (grid.dx() + grid.dy() + grid.size().z / grid.cells()[2]) / 3; }
-
-double smallest_spacing(const Grid& grid) { return std::min({grid.dx(), grid.dy(), grid.smallest_dz()}); }
 
 std::string place_of(const CaseConfig& config, const BodyKind& kind) {
   return place_of(config, "body." + kind.config.name);
@@ -82,12 +76,12 @@ void set_hinge(BodyKind& kind, const MassProperties& material) {
   const Mat3 back = rotation_about(kind.config.rotation.axis, -kind.config.rotation.angle);
   model.inertia =
       hinge.inertia.value_or(inertia_about(material, back * (hinge.point - kind.config.center), back * hinge.axis));
-  if (hinge.min_angle) model.min_angle = radian * *hinge.min_angle;
-  if (hinge.max_angle) model.max_angle = radian * *hinge.max_angle;
+  if (hinge.min_angle) model.min_angle = degree * *hinge.min_angle;
+  if (hinge.max_angle) model.max_angle = degree * *hinge.max_angle;
   model.restitution = hinge.restitution;
   model.damping = hinge.damping;
   model.stiffness = hinge.stiffness;
-  model.rest_angle = radian * hinge.rest_angle;
+  model.rest_angle = degree * hinge.rest_angle;
   model.virtual_inertia = hinge.virtual_inertia;
 }
 
@@ -99,7 +93,7 @@ void set_path(BodyKind& kind, const CaseConfig& config) {
     return [signal = make_signal_or_formula(text, signals)](double t) { return signal.value(t); };
   };
   kind.path.displacement = {function(path.x), function(path.y), function(path.z)};
-  if (auto degrees = function(path.angle)) kind.path.angle = [degrees](double t) { return radian * degrees(t); };
+  if (auto degrees = function(path.angle)) kind.path.angle = [degrees](double t) { return degree * degrees(t); };
   kind.path.axis = path.axis;
   kind.path.pivot = path.pivot.value_or(Vec3{});
   kind.path.difference_step = 1e-5 * config.time.end;
@@ -118,10 +112,10 @@ void set_shape(BodyKind& kind, const Grid& grid) {
   for (Vec3& x : kind.reference) x -= kind.centroid;
   if (closed) kind.displaced.centroid -= kind.centroid;
   const bool retracts = closed && kind.config.motion != MotionKind::deformable;
-  kind.retraction = mean_spacing(grid) * kind.config.marker_retraction.value_or(retracts ? marker_retraction : 0.0);
+  kind.retraction = grid.mean_spacing() * kind.config.marker_retraction.value_or(retracts ? marker_retraction : 0.0);
   kind.layout = kind.config.marker_refinement > 0
                     ? MarkerLayout(body.mesh, kind.config.marker_refinement)
-                    : MarkerLayout(body.mesh, refinement_for(body.mesh, body.positions, smallest_spacing(grid)));
+                    : MarkerLayout(body.mesh, refinement_for(body.mesh, body.positions, grid.smallest_spacing()));
 }
 
 /// A marker that stands for more than about two cells overshoots, and the flow blows up.
@@ -129,7 +123,7 @@ void require_enough_markers(const BodyKind& kind, const CaseConfig& config, cons
   MarkerSet markers;
   kind.layout.place(kind.prototype.positions, kind.prototype.velocities, markers);
   const double largest = *std::max_element(markers.areas.begin(), markers.areas.end());
-  const double correction = largest * mean_spacing(grid) / (grid.dx() * grid.dy() * grid.smallest_dz());
+  const double correction = largest * grid.mean_spacing() / (grid.dx() * grid.dy() * grid.smallest_dz());
   if (!kind.acts_on_flow() || correction < DirectForcing::largest_stable_correction) return;
   throw InputError(
       fmt::format("{} has too few markers for the grid: one stands for {:.2g} cells, from {} on forcing is unstable; "
@@ -139,14 +133,10 @@ void require_enough_markers(const BodyKind& kind, const CaseConfig& config, cons
 
 }  // namespace
 
-BodyKind make_body_kind(const CaseConfig& config, std::size_t index, const Grid& grid) {
+BodyKind make_body_kind(const CaseConfig& config, std::size_t index, Surface shape, const Grid& grid) {
   BodyKind kind;
   kind.config = config.bodies[index];
-  auto at_origin = kind.config;
-  at_origin.center = {};
-  at_origin.rotation = {};
-  at_origin.placement = {};
-  kind.prototype = make_body(at_origin, {config.folder, mean_spacing(grid)});
+  kind.prototype = make_body(kind.config, std::move(shape), grid.mean_spacing());
   auto& body = kind.prototype;
   const bool closed = body.mesh.is_closed();
   MassProperties material;
@@ -165,11 +155,11 @@ BodyKind make_body_kind(const CaseConfig& config, std::size_t index, const Grid&
   if (kind.config.motion == MotionKind::prescribed) set_path(kind, config);
   kind.probes.form = probe_form(body.traction.form);
   kind.probes.wetting = closed ? Wetting::outside : Wetting::both_sides;
-  if (kind.retraction == 0) kind.probes.offset = forced_surface_offset * mean_spacing(grid);
+  if (kind.retraction == 0) kind.probes.offset = forced_surface_offset * grid.mean_spacing();
   kind.probes.length = body.traction.probe_length;
   kind.probes.density = config.fluid.density;
   kind.probes.viscosity = config.fluid.viscosity;
-  kind.added_mass_ratio = added_mass_ratio(kind, config.fluid.density, mean_spacing(grid));
+  kind.added_mass_ratio = added_mass_ratio(kind, config.fluid.density, grid.mean_spacing());
   std::string reason;
   kind.coupling = choose_coupling(kind, reason);
   require_enough_markers(kind, config, grid);

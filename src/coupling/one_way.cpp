@@ -70,9 +70,9 @@ void advance_one_way(Bodies& bodies, const FlowSampler& flow, const FluidConfig&
     begin.push_back(points.size());
   }
   const auto& ranks = bodies.grid().ranks();
+  const PointRouter box(bodies.grid());
   for (std::size_t b = 0; b < moved.size() && problem.empty(); ++b)
-    problem = find_outside(moved[b]->surface, std::span(points).subspan(begin[b], begin[b + 1] - begin[b]),
-                           PointRouter(bodies.grid()));
+    problem = find_outside(moved[b]->surface, std::span(points).subspan(begin[b], begin[b + 1] - begin[b]), box);
   agree(ranks, problem);
   std::vector<FlowSample> samples(points.size());
   flow.sample(points, samples);

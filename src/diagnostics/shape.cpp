@@ -2,8 +2,8 @@
 
 #include <Eigen/Eigenvalues>
 #include <cmath>
-#include <numbers>
 
+#include "core/angles.hpp"
 #include "mesh/geometry.hpp"
 #include "structure/advance_vertices.hpp"
 
@@ -28,7 +28,7 @@ EllipsoidFit fit_ellipsoid(const TriangleMesh& mesh, std::span<const Vec3> posit
   fit.breadth = axes[minor];
   fit.width = axes[vorticity];
   const double x = solver.eigenvectors()(0, major), z = solver.eigenvectors()(2, major);
-  fit.angle = std::atan(z / x) * 180.0 / std::numbers::pi;
+  fit.angle = std::atan(z / x) / degree;
   if (fit.angle <= -90.0 || x == 0) fit.angle = 90.0;
   return fit;
 }

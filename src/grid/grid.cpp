@@ -1,6 +1,7 @@
 #include "grid/grid.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "grid/stretching.hpp"
 
@@ -41,6 +42,12 @@ Grid::Grid(const BoxConfig& box, const BoundaryConfig& boundary, const Communica
 double Grid::smallest_dz() const {
   const auto& dz = metrics_->dz_c;
   return *std::min_element(dz.begin() + 1, dz.end() - 1);
+}
+
+double Grid::smallest_spacing() const { return std::min({dx_, dy_, smallest_dz()}); }
+
+double Grid::convective_rate(Vec3 velocity) const {
+  return std::abs(velocity.x) / dx_ + std::abs(velocity.y) / dy_ + std::abs(velocity.z) / smallest_dz();
 }
 
 int Grid::plane_of_height(double z) const {

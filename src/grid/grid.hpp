@@ -62,6 +62,12 @@ class Grid {
   PlaneValues global_dz_c() const { return PlaneValues(metrics_->dz_c.data() + 1); }
   PlaneValues global_dz_f() const { return PlaneValues(metrics_->dz_f.data() + 1); }
   double smallest_dz() const;
+  double smallest_spacing() const;
+  /// Of the three directions, z with its mean.
+  double mean_spacing() const { return (dx_ + dy_ + size_.z / cells_[2]) / 3; }
+
+  /// How many cells a velocity crosses in a unit of time, at most: |u|/dx + |v|/dy + |w|/dz of the thinnest cell.
+  double convective_rate(Vec3 velocity) const;
 
   /// Global index of the cell that holds height z; clamped to the box.
   int plane_of_height(double z) const;

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numbers>
 #include <numeric>
 
+#include "core/angles.hpp"
 #include "mesh/geometry.hpp"
 
 namespace pliant {
@@ -66,11 +66,10 @@ MeshReport describe(const Surface& surface) {
   report.edge_max = *std::max_element(lengths.begin(), lengths.end());
   report.edge_mean = std::accumulate(lengths.begin(), lengths.end(), 0.0) / static_cast<double>(lengths.size());
   report.angle_min = 180;
-  constexpr double degrees = 180.0 / std::numbers::pi;
   for (const auto& corners : face_angles(mesh, surface.positions))
     for (double angle : corners) {
-      report.angle_min = std::min(report.angle_min, angle * degrees);
-      report.angle_max = std::max(report.angle_max, angle * degrees);
+      report.angle_min = std::min(report.angle_min, angle / degree);
+      report.angle_max = std::max(report.angle_max, angle / degree);
     }
   report.lower = report.upper = surface.positions[0];
   for (const Vec3& x : surface.positions)

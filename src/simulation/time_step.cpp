@@ -8,12 +8,6 @@
 namespace pliant {
 namespace {
 
-Vec3 smallest_spacing(const Grid& grid) { return {grid.dx(), grid.dy(), grid.smallest_dz()}; }
-
-double rate_of(Vec3 velocity, Vec3 h) {
-  return std::abs(velocity.x) / h.x + std::abs(velocity.y) / h.y + std::abs(velocity.z) / h.z;
-}
-
 bool is_free(const BodyConfig& body) { return body.motion == MotionKind::rigid || body.motion == MotionKind::hinge; }
 
 }  // namespace
@@ -34,18 +28,17 @@ std::string StepLimits::ruling() const {
 }
 
 double prescribed_rate(const CaseConfig& config, const Grid& grid) {
-  const auto h = smallest_spacing(grid);
   double rate = 0;
   for (const auto& side : config.boundary) {
-    if (const auto* wall = std::get_if<WallSide>(&side)) rate = std::max(rate, rate_of(wall->velocity, h));
+    if (const auto* wall = std::get_if<WallSide>(&side)) rate = std::max(rate, grid.convective_rate(wall->velocity));
     // FlowSolver::largest_side_rate knows how far a signal goes.
     const auto* inflow = std::get_if<InflowSide>(&side);
-    if (inflow != nullptr && inflow->signal.empty()) rate = std::max(rate, rate_of(inflow->velocity, h));
+    if (inflow != nullptr && inflow->signal.empty()) rate = std::max(rate, grid.convective_rate(inflow->velocity));
   }
   if (const auto& bulk = config.forcing.bulk_velocity) {
     Vec3 velocity;
     velocity[static_cast<int>(bulk->axis)] = bulk->value;
-    rate = std::max(rate, rate_of(velocity, h));
+    rate = std::max(rate, grid.convective_rate(velocity));
   }
   return rate;
 }
@@ -57,13 +50,12 @@ StepLimits step_limits(const CaseConfig& config, const Grid& grid, double rate, 
     limits.given = *time.step;
     return limits;
   }
-  const auto h = smallest_spacing(grid);
   const double fastest = std::max(rate, prescribed_rate(config, grid));
   if (fastest > 0) limits.convective = time.cfl / fastest;
   // After dt from rest the speed is a dt, so the Courant number a dt^2 / h.
-  double surge = rate_of(config.forcing.acceleration, h);
+  double surge = grid.convective_rate(config.forcing.acceleration);
   if (std::any_of(config.bodies.begin(), config.bodies.end(), is_free))
-    surge = std::max(surge, rate_of(config.forcing.gravity, h));
+    surge = std::max(surge, grid.convective_rate(config.forcing.gravity));
   // Once the flow has speed that is its limit; a force that friction balances must not hold the step down for ever.
   if (surge > 0 && limits.convective > 10 * std::sqrt(time.cfl / surge))
     limits.acceleration = std::sqrt(time.cfl / surge);
@@ -71,7 +63,7 @@ StepLimits step_limits(const CaseConfig& config, const Grid& grid, double rate, 
   if (time.max_step > 0) limits.maximum = time.max_step;
   const double nu = config.fluid.viscosity / config.fluid.density;
   if (!std::isfinite(limits.smallest())) {
-    const double smallest = std::min({h.x, h.y, h.z});
+    const double smallest = grid.smallest_spacing();
     limits.diffusion = nu > 0 ? smallest * smallest / nu : time.end / 100;
   }
   // As a flow dies down convection lets the step grow without bound; implicit viscosity bears that, its accuracy does
@@ -83,8 +75,7 @@ StepLimits step_limits(const CaseConfig& config, const Grid& grid, double rate, 
 }
 
 double forcing_viscous_number(const CaseConfig& config, const Grid& grid, double step) {
-  const auto h = smallest_spacing(grid);
-  const double smallest = std::min({h.x, h.y, h.z});
+  const double smallest = grid.smallest_spacing();
   return config.fluid.viscosity / config.fluid.density * step / (smallest * smallest);
 }
 

@@ -11,7 +11,6 @@
 #include "mesh/shapes/ellipsoid.hpp"
 #include "mesh/shapes/icosphere.hpp"
 #include "mesh/shapes/plate.hpp"
-#include "structure/placement.hpp"
 
 namespace pliant {
 namespace {
@@ -51,12 +50,6 @@ Surface load_shape(const BodyConfig& config, const std::filesystem::path& folder
       problems.push_back(fmt::format("body.{}.surface: {}", config.name, problem));
     throw InputError(std::move(problems));
   }
-}
-
-Surface load_surface(const BodyConfig& config, const std::filesystem::path& folder) {
-  Surface surface = load_shape(config, folder);
-  surface.positions = place(surface.positions, given_placement(config));
-  return surface;
 }
 
 }  // namespace pliant

@@ -11,7 +11,4 @@ namespace pliant {
 /// open one may have several (the leaflets of a valve). Paths start at `folder`. Throws InputError with every problem.
 Surface load_shape(const BodyConfig& config, const std::filesystem::path& folder);
 
-/// load_shape, turned by the body's rotation and put at its center. For a body that is not copied.
-Surface load_surface(const BodyConfig& config, const std::filesystem::path& folder);
-
 }  // namespace pliant

@@ -7,7 +7,6 @@
 
 #include "core/error.hpp"
 #include "mesh/geometry.hpp"
-#include "structure/load_surface.hpp"
 #include "structure/stable_time_step.hpp"
 
 namespace pliant {
@@ -40,11 +39,10 @@ TractionConfig resolve(const TractionConfig& given, MotionKind motion, double me
   return traction;
 }
 
-DeformableBody make_body(const BodyConfig& config, const BodySetting& setting) {
+DeformableBody make_body(const BodyConfig& config, Surface surface, double mean_spacing) {
   if (!(config.mass_per_vertex > 0))
     throw InputError(
         fmt::format("body '{}': mass_per_vertex = {} must be positive", config.name, config.mass_per_vertex));
-  Surface surface = load_surface(config, setting.folder);
   const std::size_t n = surface.positions.size();
   DeformableBody body;
   body.name = config.name;
@@ -57,7 +55,7 @@ DeformableBody make_body(const BodyConfig& config, const BodySetting& setting) {
   body.forces.resize(n);
   body.masses.assign(n, config.mass_per_vertex);
   body.damping = config.damping;
-  body.traction = resolve(config.traction, config.motion, setting.mean_spacing);
+  body.traction = resolve(config.traction, config.motion, mean_spacing);
   body.substeps = config.substeps;
   body.reference = surface.positions;
   body.positions = std::move(surface.positions);

@@ -1,21 +1,14 @@
 #pragma once
-#include <filesystem>
-
 #include "config/case_config.hpp"
 #include "mesh/surface.hpp"
 #include "structure/deformable_body.hpp"
 
 namespace pliant {
 
-/// What a body's configuration leaves to its surroundings.
-struct BodySetting {
-  std::filesystem::path folder;  ///< files of surfaces start here
-  double mean_spacing = 0;       ///< of the grid; the probe length where none is given
-};
-
-/// The body at rest in its reference shape, with its potentials; constants are taken as they are (per edge, per hinge).
-/// Finds the largest frequency of its internal forces. Throws InputError.
-DeformableBody make_body(const BodyConfig& config, const BodySetting& setting);
+/// The body at rest in its reference shape, `surface`, with its potentials; constants are taken as they are (per edge,
+/// per hinge). `mean_spacing` of the grid: the probe length where none is given. Finds the largest frequency of its
+/// internal forces. Throws InputError.
+DeformableBody make_body(const BodyConfig& config, Surface surface, double mean_spacing);
 
 /// The traction with what the case leaves open filled in: form and probe length.
 TractionConfig resolve(const TractionConfig& given, MotionKind motion, double mean_spacing);

@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "core/angles.hpp"
 
 namespace pliant {
 namespace {
@@ -16,7 +17,7 @@ std::array<double, 2> direction_of(double degrees) {
     constexpr std::array<double, 2> exact[] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
     return exact[(static_cast<int>(quarters) + 4) % 4];
   }
-  const double angle = turn * std::numbers::pi / 180.0;
+  const double angle = degree * turn;
   return {std::cos(angle), std::sin(angle)};
 }
 }  // namespace

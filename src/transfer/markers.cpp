@@ -13,7 +13,7 @@ constexpr int block = 4;  // cells along its edges
 
 }  // namespace
 
-Markers::Markers(const Grid& grid, double alpha) : shape_(grid, alpha) {
+void require_room_for_markers(const Grid& grid) {
   std::vector<std::string> problems;
   for (int d = 0; d < 3; ++d) {
     const int n = grid.cells()[static_cast<std::size_t>(d)];
@@ -22,9 +22,14 @@ Markers::Markers(const Grid& grid, double alpha) : shape_(grid, alpha) {
           fmt::format("box.cells: {} cells along {} between bounded sides are too few for markers: use at "
                       "least 3, or periodic sides",
                       n, "xyz"[d]));
-    blocks_[static_cast<std::size_t>(d)] = ((d == 2 ? grid.nz() : n) + block - 1) / block;
   }
   if (!problems.empty()) throw InputError(problems);
+}
+
+Markers::Markers(const Grid& grid, double alpha) : shape_(grid, alpha) {
+  require_room_for_markers(grid);
+  const int cells[3] = {grid.nx(), grid.ny(), grid.nz()};
+  for (std::size_t d = 0; d < 3; ++d) blocks_[d] = (cells[d] + block - 1) / block;
 }
 
 void Markers::place(std::span<const Vec3> positions, std::span<const double> areas) {

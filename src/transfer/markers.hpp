@@ -29,6 +29,9 @@ struct StencilBlock {
   std::array<StencilBatch, most> stencils;
 };
 
+/// Throws InputError if a bounded direction has fewer than three cells.
+void require_room_for_markers(const Grid& grid);
+
 /// The markers at or near this rank's slab with their stencils: points at which bodies and flow feel each other.
 ///
 /// Markers stand in working order: by blocks of 4 x 4 x 4 cells, within a block in the caller's order, so that
@@ -38,7 +41,7 @@ struct StencilBlock {
 /// weighs nothing.
 class Markers {
  public:
-  /// Throws InputError if a bounded direction has fewer than three cells.
+  /// Requires room for markers (require_room_for_markers).
   explicit Markers(const Grid& grid, double alpha = default_mls_alpha);
 
   /// Takes new markers: positions and areas of all that may touch this rank (others are left out). Points are brought

@@ -8,7 +8,6 @@
 #include "core/error.hpp"
 #include "parallel/agree.hpp"
 #include "transfer/interpolate.hpp"
-#include "transfer/point_router.hpp"
 
 namespace pliant {
 namespace {
@@ -25,28 +24,28 @@ struct Pending {
 }  // namespace
 
 MlsSampler::MlsSampler(const Grid& grid, SampledFields fields, double density)
-    : shape_(grid), fields_(fields), density_(density) {}
+    : shape_(grid), fields_(fields), density_(density), router_(grid) {}
 
 void MlsSampler::sample(std::span<const Vec3> points, std::span<FlowSample> samples) const {
-  PointRouter router(shape_.grid());
-  const auto outside = router.first_outside(points);
+  const auto outside = router_.first_outside(points);
   agree(shape_.grid().ranks(),
         outside == points.size() ? ""
                                  : fmt::format("the flow was asked for at ({}, {}, {}), which is outside the box",
                                                points[outside].x, points[outside].y, points[outside].z));
-  router.route(points);
-  std::vector<double> numbers(n_numbers * points.size());
-  router.collect(evaluate(router.held()), static_cast<int>(n_numbers), numbers);
+  router_.route(points);
+  evaluate(router_.held());
+  numbers_.resize(n_numbers * points.size());
+  router_.collect(held_numbers_, static_cast<int>(n_numbers), numbers_);
   for (std::size_t n = 0; n < points.size(); ++n) {
-    const double* in = numbers.data() + n_numbers * n;
+    const double* in = numbers_.data() + n_numbers * n;
     samples[n].velocity = {in[0], in[1], in[2]};
     for (int i = 0; i < 3; ++i) samples[n].gradient[i] = {in[3 + 3 * i], in[4 + 3 * i], in[5 + 3 * i]};
     samples[n].pressure = in[12];
   }
 }
 
-std::vector<double> MlsSampler::evaluate(std::span<const Vec3> points) const {
-  std::vector<double> numbers(n_numbers * points.size(), 0.0);
+void MlsSampler::evaluate(std::span<const Vec3> points) const {
+  held_numbers_.assign(n_numbers * points.size(), 0.0);
   StencilBatch stencils;
   SlopeBatch slopes;
   Pending pending;
@@ -66,7 +65,7 @@ std::vector<double> MlsSampler::evaluate(std::span<const Vec3> points) const {
     probe_all({fields_.u->view(), fields_.v->view(), fields_.w->view(), fields_.p->view()}, stencils, slopes,
               pending.count, found);
     for (int l = 0; l < pending.count; ++l) {
-      double* out = numbers.data() + n_numbers * pending.indices[static_cast<std::size_t>(l)];
+      double* out = held_numbers_.data() + n_numbers * pending.indices[static_cast<std::size_t>(l)];
       for (int c = 0; c < 3; ++c) {
         if (!(c == 2 ? face[l] : center[l])) continue;
         out[c] = found.velocity[c][l];
@@ -85,7 +84,6 @@ std::vector<double> MlsSampler::evaluate(std::span<const Vec3> points) const {
     if (pending.count == mls_batch) flush();
   }
   flush();
-  return numbers;
 }
 
 }  // namespace pliant

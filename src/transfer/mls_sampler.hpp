@@ -4,6 +4,7 @@
 #include "field/field.hpp"
 #include "transfer/flow_sample.hpp"
 #include "transfer/mls_shape.hpp"
+#include "transfer/point_router.hpp"
 
 namespace pliant {
 
@@ -32,11 +33,14 @@ class MlsSampler : public FlowSampler {
   void sample(std::span<const Vec3> points, std::span<FlowSample> samples) const override;
 
  private:
-  std::vector<double> evaluate(std::span<const Vec3> points) const;
+  void evaluate(std::span<const Vec3> points) const;  // into held_numbers_
 
   MlsShape shape_;
   SampledFields fields_;
   double density_;
+  // Kept from call to call for their memory alone.
+  mutable PointRouter router_;
+  mutable std::vector<double> held_numbers_, numbers_;
 };
 
 }  // namespace pliant

@@ -1,11 +1,15 @@
 #pragma once
 #include <cmath>
 #include <functional>
+#include <vector>
 
 #include "flow/flow_solver.hpp"
 
 /// Small boxes and error norms shared by the flow tests.
 namespace pliant::test {
+
+inline constexpr ViscousMode viscous_modes[] = {ViscousMode::explicit_rk3, ViscousMode::implicit_z,
+                                                ViscousMode::implicit};
 
 inline BoundaryConfig periodic_box() { return {}; }
 
@@ -57,6 +61,13 @@ void for_each_velocity(const FlowSolver& solver, Visit&& visit) {
       }
 }
 
+/// The interior velocities of this rank, in the order of for_each_velocity.
+inline std::vector<double> velocities_of(const FlowSolver& solver) {
+  std::vector<double> values;
+  for_each_velocity(solver, [&](int, int, int, int, double value) { values.push_back(value); });
+  return values;
+}
+
 /// Largest difference from an exact velocity field over all ranks.
 inline double largest_error(const FlowSolver& solver, const std::function<Vec3(Vec3)>& exact) {
   double worst = 0;
@@ -81,6 +92,12 @@ inline void set_velocity(FlowSolver& solver, const std::function<Vec3(Vec3)>& ve
         w(i, j, k) = velocity(position_of(grid, 2, i, j, k)).z;
       }
   solver.fill_ghosts();
+}
+
+inline double root_mean_square_difference(const std::vector<double>& a, const std::vector<double>& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
+  return std::sqrt(sum / static_cast<double>(a.size()));
 }
 
 inline void run(FlowSolver& solver, double end, int steps) {

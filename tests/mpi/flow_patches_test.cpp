@@ -1,15 +1,13 @@
 #include <gtest/gtest.h>
 
 #include "boundary/flow_patch.hpp"
-#include "convergence/flow_fixture.hpp"
 #include "core/error.hpp"
+#include "mpi/against_one_rank.hpp"
 #include "signals/make_signal.hpp"
 
 // Flow through patches of the z sides on any number of ranks.
 namespace pliant::test {
 namespace {
-
-constexpr ViscousMode modes[] = {ViscousMode::explicit_rk3, ViscousMode::implicit_z, ViscousMode::implicit};
 
 PatchConfig patch(std::string name, PatchShape shape, std::array<double, 2> center, double radius, std::string rate) {
   PatchConfig p;
@@ -135,7 +133,7 @@ double measured_rate(const Grid& grid, int side, const FlowPatch& patch, ConstVi
 
 TEST(FlowPatches, CarryTheirRateAndBalanceItAtEverySubstep) {
   for (const auto& [name, sides] : cases())
-    for (ViscousMode mode : modes) {
+    for (ViscousMode mode : viscous_modes) {
       const Grid grid = grid_of(sides, MPI_COMM_WORLD, StretchingLaw::tanh);
       FlowSolver solver(grid, parameters_of(sides, mode));
       start(solver);
@@ -171,7 +169,7 @@ TEST(FlowPatches, CarryTheirRateAndBalanceItAtEverySubstep) {
 // Each rank computes the whole box by itself as well and compares its slab.
 TEST(FlowPatches, SlabsGiveTheResultOfOneRank) {
   for (const auto& [name, sides] : cases())
-    for (ViscousMode mode : modes) {
+    for (ViscousMode mode : viscous_modes) {
       const Grid shared_grid = grid_of(sides, MPI_COMM_WORLD, StretchingLaw::tanh);
       const Grid own_grid = grid_of(sides, MPI_COMM_SELF, StretchingLaw::tanh);
       FlowSolver shared(shared_grid, parameters_of(sides, mode)), own(own_grid, parameters_of(sides, mode));
@@ -179,24 +177,15 @@ TEST(FlowPatches, SlabsGiveTheResultOfOneRank) {
         start(*solver);
         for (int n = 0; n < 20; ++n) solver->advance(8e-3);
       }
-      const int begin = shared_grid.slab().begin;
-      double difference = 0, scale = 0;
-      const auto u = own.state().u.view();
-      const auto v = own.state().v.view();
-      const auto w = own.state().w.view();
-      for_each_velocity(shared, [&](int c, int i, int j, int k, double value) {
-        const double alone = c == 0 ? u(i, j, begin + k) : c == 1 ? v(i, j, begin + k) : w(i, j, begin + k);
-        difference = std::max(difference, std::abs(value - alone));
-        scale = std::max(scale, std::abs(alone));
-      });
-      EXPECT_LT(shared_grid.ranks().max(difference), 1e-11 * shared_grid.ranks().max(scale)) << name;
-      EXPECT_GT(shared_grid.ranks().max(scale), 0.1) << "a flow at rest proves nothing";
+      const auto [difference, scale] = against_one_rank(shared, own);
+      EXPECT_LT(difference, 1e-11 * scale) << name;
+      EXPECT_GT(scale, 0.1) << "a flow at rest proves nothing";
     }
 }
 
 // A patch from edge to edge is an inflow side.
 TEST(FlowPatches, APatchOverAWholeSideIsAnInflowSide) {
-  for (ViscousMode mode : modes)
+  for (ViscousMode mode : viscous_modes)
     for (const BoundarySpec& others : {BoundarySpec{PeriodicSide{}}, BoundarySpec{WallSide{}}}) {
       BoundaryConfig patched;
       patched.fill(others);
@@ -211,12 +200,8 @@ TEST(FlowPatches, APatchOverAWholeSideIsAnInflowSide) {
         run(*solver, 0.1, 10);
       }
       double difference = 0;
-      std::vector<double> values;
-      for_each_velocity(a, [&](int, int, int, int, double value) { values.push_back(value); });
-      std::size_t at = 0;
-      for_each_velocity(b, [&](int, int, int, int, double value) {
-        difference = std::max(difference, std::abs(value - values[at++]));
-      });
+      const auto of_a = velocities_of(a), of_b = velocities_of(b);
+      for (std::size_t n = 0; n < of_a.size(); ++n) difference = std::max(difference, std::abs(of_a[n] - of_b[n]));
       EXPECT_LT(grid.ranks().max(difference), 1e-13) << "round-off of the rates alone";
     }
 }
@@ -227,7 +212,7 @@ TEST(FlowPatches, WorkInThinSlabs) {
   sides[4] = WallSide{{}, {rectangle("in", {0.4, 0.5}, {0.5, 1}, "0.2")}};
   sides[5] = WallSide{{}, {rectangle("out", {1.0, 0.5}, {0.6, 1}, "")}};
   const int planes = Communicator().size();
-  for (ViscousMode mode : modes) {
+  for (ViscousMode mode : viscous_modes) {
     const Grid grid = grid_of(sides, MPI_COMM_WORLD, StretchingLaw::uniform, {15, 1, planes});
     FlowSolver solver(grid, parameters_of(sides, mode));
     start(solver);

@@ -236,6 +236,10 @@ bad_motion("stops the wrong way round", "hinge", "hinge = { min_angle = 9, max_a
 bad_motion("start beyond a stop", "hinge", "hinge = { max_angle = 3, angle = 4 }", [r"hinge\.angle starts at 4 degrees"])
 bad_motion("hinge with copies", "hinge", "count = 2", [r"body\.drop\.count makes copies"])
 bad_motion("open rigid body without a wall", "rigid", "", [r"body\.drop\.thickness is 0.*open"], surface=PLATE)
+for command in ("check", "run"):
+    bad_case("box too thin for markers, " + command, CASE.replace("[8, 8, 8]", "[8, 8, 2]") + BALL + 'motion = "fixed"\n',
+             [r"error: box\.cells: 2 cells along z between bounded sides are too few for markers: use at least 3, or periodic"],
+             command=command)
 bad_motion("half free", "rigid", "free_rotation = [1, 1, 0.5]", [r"free_rotation has the component 0\.5 along z"])
 bad_motion("repulsion without strength", "fixed", "", [r"repulsion\.range is given"], more="[repulsion]\nrange = 1\n")
 bad_motion("repulsion without range", "fixed", "", [r"repulsion\.strength is given"], more="[repulsion]\nstrength = 1\n")

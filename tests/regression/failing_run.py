@@ -52,11 +52,6 @@ def output_below_a_file(ranks):
     return test
 
 
-def start(*arguments, ranks=1, **options):
-    return subprocess.Popen(harness.command(*arguments, ranks=ranks), stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                            stderr=subprocess.PIPE, text=True, env=harness.environment(), **options)
-
-
 def wait_for_rows(process, out):
     """Until the run has written a few lines of its history."""
     give_up = time.monotonic() + 40
@@ -65,27 +60,17 @@ def wait_for_rows(process, out):
             return
         time.sleep(0.05)
     process.kill()
-    result = finish(process)
+    result = harness.finish(process, 30)
     expect(False, "the run does not get under way", result)
-
-
-def finish(process):
-    try:
-        stdout, stderr = process.communicate(timeout=30)
-    except subprocess.TimeoutExpired:
-        process.kill()
-        process.communicate()
-        expect(False, "does not end within 30 s")
-    return subprocess.CompletedProcess(process.args, process.returncode, stdout, stderr)
 
 
 def interrupted(number, ranks):
     def test(folder):
         out = prepare(folder, ENDLESS)
-        process = start("run", folder, "--out", out, ranks=ranks)
+        process = harness.start("run", folder, "--out", out, ranks=ranks)
         wait_for_rows(process, out)
         process.send_signal(number)
-        result = finish(process)
+        result = harness.finish(process, 30)
         expect_readable(out, 3)
         # On one rank the shell's code for the signal; mpirun has codes of its own.
         expect(result.returncode == 128 + number if ranks == 1 else result.returncode > 0,
@@ -102,11 +87,11 @@ def run_into_limit(folder, text):
 
     The limit comes once the run is going: MPI's own files are larger."""
     out = prepare(folder, text)
-    process = start("run", folder, "--out", out, restore_signals=False,
-                    preexec_fn=lambda: signal.signal(signal.SIGXFSZ, signal.SIG_IGN))
+    process = harness.start("run", folder, "--out", out, restore_signals=False,
+                            preexec_fn=lambda: signal.signal(signal.SIGXFSZ, signal.SIG_IGN))
     wait_for_rows(process, out)
     resource.prlimit(process.pid, resource.RLIMIT_FSIZE, (2048, 2048))
-    result = finish(process)
+    result = harness.finish(process, 30)
     expect(result.returncode == 3, "exit code 3 expected", result)
     expect(out in result.stderr, "the message does not name the file", result)
     expect_readable(out, 3)

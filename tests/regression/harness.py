@@ -64,6 +64,21 @@ class Harness:
         except subprocess.TimeoutExpired:
             raise Failure("does not end within {} s: {}".format(timeout, " ".join(command)))
 
+    def start(self, *arguments, ranks=1, **options):
+        return subprocess.Popen(self.command(*arguments, ranks=ranks), stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                                stderr=subprocess.PIPE, text=True, env=self.environment(), **options)
+
+    @staticmethod
+    def finish(process, timeout=60):
+        """The result of a run that was started, when it has ended."""
+        try:
+            stdout, stderr = process.communicate(timeout=timeout)
+        except subprocess.TimeoutExpired:
+            process.kill()
+            process.communicate()
+            raise Failure("does not end within {} s".format(timeout))
+        return subprocess.CompletedProcess(process.args, process.returncode, stdout, stderr)
+
     def refuses(self, arguments, patterns, code=2, ranks=1, **options):
         """The program ends with `code`, and its messages match every pattern."""
         result = self.run(*arguments, ranks=ranks, **options)

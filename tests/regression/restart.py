@@ -10,7 +10,6 @@ import re
 import resource
 import shutil
 import signal
-import subprocess
 import sys
 import time
 
@@ -35,19 +34,7 @@ def prepare(folder, text):
 
 
 def start(folder, out, *options, ranks=1):
-    return subprocess.Popen(harness.command("run", folder, "--out", out, *options, ranks=ranks),
-                            stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
-                            env=harness.environment())
-
-
-def finish(process):
-    try:
-        stdout, stderr = process.communicate(timeout=60)
-    except subprocess.TimeoutExpired:
-        process.kill()
-        process.communicate()
-        expect(False, "does not end within 60 s")
-    return subprocess.CompletedProcess(process.args, process.returncode, stdout, stderr)
+    return harness.start("run", folder, "--out", out, *options, ranks=ranks)
 
 
 def last_step(out):
@@ -122,7 +109,7 @@ def killed_often(kills, steps, ranks):
         dice = random.Random(8)
         prepare(folder, long_case(steps))
         whole, out = os.path.join(folder, "whole"), os.path.join(folder, "out")
-        result = finish(start(folder, whole, ranks=ranks))
+        result = harness.finish(start(folder, whole, ranks=ranks))
         expect(result.returncode == 0, "the undisturbed run fails", result)
         signals = []
         moments = sorted(dice.randrange(steps - 50) for _ in range(kills))
@@ -139,10 +126,10 @@ def killed_often(kills, steps, ranks):
             number = dice.choice([signal.SIGKILL, signal.SIGTERM])
             signals.append(number)
             kill(process, number, ranks)
-            result = finish(process)
+            result = harness.finish(process)
             expect(result.returncode not in (2, 3), "the run failed by itself", result)
         expect(set(signals) == {signal.SIGKILL, signal.SIGTERM}, "both signals are tried")
-        result = finish(start(folder, out, "--restart", ranks=ranks))
+        result = harness.finish(start(folder, out, "--restart", ranks=ranks))
         expect(result.returncode == 0, "the last part fails", result)
         expect_same(whole, out)
         with open(os.path.join(out, "run.json")) as stream:
@@ -154,7 +141,7 @@ def killed_often(kills, steps, ranks):
 def short_run(folder, ranks=1):
     prepare(folder, long_case(60))
     out = os.path.join(folder, "out")
-    result = finish(start(folder, out, ranks=ranks))
+    result = harness.finish(start(folder, out, ranks=ranks))
     expect(result.returncode == 0, "the first run fails", result)
     expect([os.path.basename(p) for p in checkpoints(out)] == ["step_000040.checkpoint", "step_000060.checkpoint"],
            "checkpoints of steps 40 and 60 are expected")
@@ -172,7 +159,7 @@ def damaged(ranks):
             stream.write(bytes([byte ^ 1]))
         harness.refuses(["run", folder, "--out", out, "--restart", newer],
                         [re.escape(newer) + " is damaged: row .* checksum", "--restart " + re.escape(older)], ranks=ranks)
-        result = finish(start(folder, out, "--restart", ranks=ranks))
+        result = harness.finish(start(folder, out, "--restart", ranks=ranks))
         expect(result.returncode == 0, "the older checkpoint is not taken", result)
         expect("warning" in result.stdout + result.stderr and newer in result.stdout + result.stderr,
                "nothing is said of the damaged checkpoint", result)
@@ -188,7 +175,7 @@ def foreign(folder):
     harness.refuses(["run", folder, "--out", out, "--restart"], [r"body\.drop\.surface.*contents"])
     write(folder, "drop.gts", surfaces.sound())
     # What was there is as it was.
-    result = finish(start(folder, out, "--restart", "--max-steps", "70"))
+    result = harness.finish(start(folder, out, "--restart", "--max-steps", "70"))
     expect(result.returncode == 0, "the run cannot go on after refusals", result)
     expect(last_step(out) == 70, "step 70 is expected at the end")
 
@@ -205,7 +192,7 @@ def wall_clock(ranks):
         prepare(folder, ENDLESS)
         out = os.path.join(folder, "out")
         begin = time.monotonic()
-        result = finish(start(folder, out, "--wall-clock", "00:00:04", ranks=ranks))
+        result = harness.finish(start(folder, out, "--wall-clock", "00:00:04", ranks=ranks))
         elapsed = time.monotonic() - begin
         expect(result.returncode == 0, "a good end is expected", result)
         expect(1 < elapsed < 6, "takes {:.1f} s".format(elapsed))  # with the start and end of mpirun
@@ -221,21 +208,19 @@ def full_disk(folder):
     """A limit on the size of files stands for the full disk; it comes once checkpoints, which are larger, are there."""
     prepare(folder, ENDLESS.replace("history.every = 7", "history.every = 1000"))
     out = os.path.join(folder, "out")
-    process = subprocess.Popen(harness.command("run", folder, "--out", out), stdin=subprocess.DEVNULL,
-                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=harness.environment(),
-                               restore_signals=False,
-                               preexec_fn=lambda: signal.signal(signal.SIGXFSZ, signal.SIG_IGN))
+    process = harness.start("run", folder, "--out", out, restore_signals=False,
+                            preexec_fn=lambda: signal.signal(signal.SIGXFSZ, signal.SIG_IGN))
     while process.poll() is None and len(checkpoints(out)) < 2:
         time.sleep(0.01)
     resource.prlimit(process.pid, resource.RLIMIT_FSIZE, (8192, 8192))
-    result = finish(process)
+    result = harness.finish(process)
     expect(result.returncode == 3, "exit code 3 expected", result)
     expect(re.search(r"error: cannot .*step_\d+\.checkpoint\.tmp", result.stderr), "the file is not named", result)
     expect(not [name for name in os.listdir(os.path.join(out, "checkpoints")) if name.endswith(".tmp")],
            "a part of a checkpoint is left")
     expect(len(checkpoints(out)) == 2, "the older checkpoints are gone")
     step = int(re.search(r"_(\d+)\.", checkpoints(out)[-1]).group(1))
-    result = finish(start(folder, out, "--restart", "--max-steps", str(step + 5)))
+    result = harness.finish(start(folder, out, "--restart", "--max-steps", str(step + 5)))
     expect(result.returncode == 0, "the run cannot go on", result)
 
 

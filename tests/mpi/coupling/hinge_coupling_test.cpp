@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "core/error.hpp"
-#include "coupling/make_body_kind.hpp"
+#include "coupling/bodies.hpp"
 #include "mpi/io/shared_folder.hpp"
 #include "simulation/simulation.hpp"
 
@@ -114,7 +114,7 @@ TEST(AddedMass, OfAHingeDoesNotDependOnHowTheLeafletWasTurned) {
   auto& leaflet = config.bodies[0];
   const auto ratio = [&] {
     const Grid grid(config.box, config.boundary, Communicator());
-    return make_body_kind(config, 0, grid).added_mass_ratio;
+    return Bodies(config, grid).kinds()[0].added_mass_ratio;
   };
   const double upright = ratio();
   EXPECT_GT(upright, 1);

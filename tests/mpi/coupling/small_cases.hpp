@@ -92,6 +92,11 @@ inline SimulationOptions silent(const std::filesystem::path& folder) {
   return options;
 }
 
+inline CaseConfig until(CaseConfig config, long steps) {
+  config.time.max_steps = steps;
+  return config;
+}
+
 /// u, v, w and p of all cells, whole on every rank of the run. Collective.
 inline std::vector<double> whole_flow(const FlowSolver& flow) {
   const auto cells = flow.grid().cells();

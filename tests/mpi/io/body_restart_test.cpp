@@ -1,11 +1,9 @@
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <sstream>
-
 #include "mpi/coupling/small_cases.hpp"
 #include "mpi/first_ranks.hpp"
 #include "mpi/io/shared_folder.hpp"
+#include "unit/io/text_of.hpp"
 
 // Runs with bodies of every motion that are interrupted and continued: the same bits on as many ranks, the same numbers
 // to round-off on others.
@@ -15,12 +13,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr long steps_before = 5, steps_in_all = 25;
-
-std::string text_of(const fs::path& path) {
-  std::ostringstream text;
-  text << std::ifstream(path, std::ios::binary).rdbuf();
-  return text.str();
-}
 
 CaseConfig everything(CouplingKind coupling, StrongScheme scheme) {
   auto config = all_motions();
@@ -47,11 +39,6 @@ CaseConfig everything(CouplingKind coupling, StrongScheme scheme) {
   free.coupling = CouplingKind::loose;
   config.bodies.push_back(free);
   config.repulsion = {0.15, 2};
-  return config;
-}
-
-CaseConfig until(CaseConfig config, long steps) {
-  config.time.max_steps = steps;
   return config;
 }
 
@@ -125,7 +112,7 @@ TEST(BodyRestart, LooselyCoupled) {
 }
 
 TEST(BodyRestart, StronglyCoupledByAitken) {
-  expect_continued(everything(CouplingKind::strong, StrongScheme::aitken), Pairs::from_all_ranks);
+  expect_continued(everything(CouplingKind::strong, StrongScheme::aitken), Pairs::all);
 }
 
 TEST(BodyRestart, StronglyCoupledByHamming) {

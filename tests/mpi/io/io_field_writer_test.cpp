@@ -4,11 +4,11 @@
 
 #include <csignal>
 #include <fstream>
-#include <sstream>
 
 #include "core/error.hpp"
 #include "io/field_writer.hpp"
 #include "mpi/io/shared_folder.hpp"
+#include "unit/io/text_of.hpp"
 
 namespace pliant {
 namespace {
@@ -28,12 +28,6 @@ std::vector<double> read(const fs::path& path, const char* name, std::vector<hsi
   H5Dclose(set);
   H5Fclose(file);
   return values;
-}
-
-std::string text_of(const fs::path& path) {
-  std::ostringstream text;
-  text << std::ifstream(path).rdbuf();
-  return text.str();
 }
 
 Grid test_grid(std::array<int, 3> cells) {

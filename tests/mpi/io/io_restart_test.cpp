@@ -5,14 +5,13 @@
 #include <csignal>
 #include <fstream>
 #include <functional>
-#include <sstream>
 
 #include "config/value_codec.hpp"
 #include "core/error.hpp"
-#include "mpi/coupling/all_bodies.hpp"
+#include "mpi/coupling/small_cases.hpp"
 #include "mpi/first_ranks.hpp"
 #include "mpi/io/shared_folder.hpp"
-#include "simulation/simulation.hpp"
+#include "unit/io/text_of.hpp"
 
 // A run that is interrupted and continued is the run that is not: in all its bits on as many ranks, to round-off on
 // another number.
@@ -20,12 +19,6 @@ namespace pliant {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string text_of(const fs::path& path) {
-  std::ostringstream text;
-  text << std::ifstream(path, std::ios::binary).rdbuf();
-  return text.str();
-}
 
 struct NamedCase {
   std::string name;
@@ -50,15 +43,8 @@ CaseConfig common_case() {
 }
 
 BodyConfig drop(std::string name, double x) {
-  BodyConfig body;
+  auto body = drop(Vec3{x, 0, 0}, 0.8);
   body.name = std::move(name);
-  body.surface = SphereSurface{2, 0.8};
-  body.center = {x, 0, 0};
-  body.coupling = CouplingKind::one_way;
-  body.mass_per_vertex = 0.05;
-  body.traction.form = TractionForm::drag;
-  body.potentials.edge = EdgeConfig{40, 1.0};
-  body.potentials.volume = VolumeConfig{500};
   return body;
 }
 
@@ -80,18 +66,6 @@ std::vector<NamedCase> cases() {
   return {{"inflow, outflow and drops", open}, {"periodic", periodic}, {"channel with drops", channel}};
 }
 
-CaseConfig until(CaseConfig config, long steps) {
-  config.time.max_steps = steps;
-  return config;
-}
-
-SimulationOptions silent(const fs::path& folder) {
-  SimulationOptions options;
-  options.output = folder;
-  options.progress = ProgressStyle::silent;
-  return options;
-}
-
 SimulationOptions restarted(const fs::path& folder, const fs::path& file = {}) {
   auto options = silent(folder);
   options.restart = RestartRequest{file};
@@ -101,19 +75,14 @@ SimulationOptions restarted(const fs::path& folder, const fs::path& file = {}) {
 // Flow and bodies at the end of a run, whole on every rank of the test.
 std::vector<double> result_of(const FirstRanks& first, const CaseConfig& config, const SimulationOptions& options) {
   std::vector<double> state;
-  const auto cells = static_cast<std::size_t>(config.box.cells[0]) * static_cast<std::size_t>(config.box.cells[1]) *
-                     static_cast<std::size_t>(config.box.cells[2]);
-  state.resize(4 * cells);
   if (first.am_in()) try {
       Simulation simulation(config, first.ranks(), options);
       simulation.run();
-      const auto tables = simulation.flow().state_tables();
-      for (std::size_t t = 0; t < 4; ++t)
-        simulation.flow().save_table(
-            t, std::span(state).subspan(t * cells + static_cast<std::size_t>(tables[t].first) * tables[t].row_size,
-                                        tables[t].size()));
-      const auto bodies = all_vertices(simulation.bodies());
-      if (first.ranks().is_root()) state.insert(state.end(), bodies.begin(), bodies.end());
+      const auto flow = whole_flow(simulation.flow()), bodies = all_vertices(simulation.bodies());
+      if (first.ranks().is_root()) {
+        state = flow;
+        state.insert(state.end(), bodies.begin(), bodies.end());
+      }
     } catch (const std::exception& error) {
       ADD_FAILURE() << error.what();  // the other ranks of the test wait
     }

@@ -4,24 +4,17 @@
 #include <cmath>
 #include <csignal>
 #include <fstream>
-#include <sstream>
 
 #include "config/value_codec.hpp"
 #include "core/error.hpp"
-#include "mpi/coupling/all_bodies.hpp"
+#include "mpi/coupling/small_cases.hpp"
 #include "mpi/io/shared_folder.hpp"
-#include "simulation/simulation.hpp"
+#include "unit/io/text_of.hpp"
 
 namespace pliant {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string text_of(const fs::path& path) {
-  std::ostringstream text;
-  text << std::ifstream(path).rdbuf();
-  return text.str();
-}
 
 long count_lines(const fs::path& path) {
   const auto text = text_of(path);
@@ -44,22 +37,12 @@ CaseConfig drop_in_shear() {
   config.fluid.viscosity = 0.2;
   config.time.end = 0.6;
   config.time.cfl = 0.4;
-  BodyConfig drop;
-  drop.name = "drop";
-  drop.surface = SphereSurface{2, 1.0};
-  drop.coupling = CouplingKind::one_way;
-  drop.mass_per_vertex = 0.05;
-  drop.traction.form = TractionForm::drag;
-  drop.potentials.edge = EdgeConfig{40, 1.0};
-  drop.potentials.volume = VolumeConfig{500};
-  config.bodies = {drop};
+  config.bodies = {drop({}, 1.0)};
   config.output.history.every = 1;
   config.output.fields.interval = 0.2;
   config.output.surfaces.interval = 0.2;
   return config;
 }
-
-SimulationOptions silent(const fs::path& folder) { return {folder, ProgressStyle::silent}; }
 
 TEST(Simulation, MovesTheSameDropOnAnyNumberOfRanks) {
   const auto config = drop_in_shear();

@@ -3,9 +3,9 @@
 #include <functional>
 
 #include "loads/momentum_balance.hpp"
-#include "loads/probe_loads.hpp"
 #include "mpi/transfer/sphere_in_flow.hpp"
 #include "transfer/mls_sampler.hpp"
+#include "unit/loads/sampled_loads.hpp"
 
 namespace pliant::test {
 namespace {
@@ -47,9 +47,7 @@ std::vector<Force> forces_of(const Motion& motion, double viscosity, double dt, 
     }
     layout.place_inside(positions, velocities, retraction, markers);
     forcing.place(markers.positions, markers.areas, markers.velocities);
-    solver.advance(dt, [&](const Substep& s, double h, View<FaceX> u, View<FaceY> v, View<FaceZ> w) {
-      forcing.apply(s, h, u, v, w);
-    });
+    advance(solver, forcing, dt);
 
     std::vector<Vec3> on_markers(markers.positions.size());
     forcing.add_forces(on_markers);
@@ -66,12 +64,7 @@ std::vector<Force> forces_of(const Motion& motion, double viscosity, double dt, 
     const MlsSampler sampler(grid, {&flow.u, &flow.v, &flow.w, &flow.p}, 1.0);
     for (const ProbeForm form : {ProbeForm::one_sided, ProbeForm::quadratic}) {
       const ProbeSettings settings{form, Wetting::outside, 1.5, forced_surface_offset, 1.0, viscosity, {}};
-      std::vector<Vec3> points;
-      probe_points(sites, settings, points);
-      std::vector<FlowSample> samples(points.size());
-      sampler.sample(points, samples);
-      ProbeLoads loads;
-      evaluate_probes(sites, settings, samples, loads);
+      const auto loads = loads_of(sites, settings, sampler);
       (form == ProbeForm::quadratic ? force.second_order : force.first_order) =
           total_load(sites.positions, loads.forces, {}).force.x;
     }
@@ -154,10 +147,7 @@ Spun spin(double retraction, double probe_length) {
   MarkerLayout(surface.mesh).place_inside(surface.positions, velocities, retraction, markers);
   DirectForcing forcing(grid, 1.0);
   forcing.place(markers.positions, markers.areas, markers.velocities);
-  for (int n = 0; n < static_cast<int>(time / dt + 0.5); ++n)
-    solver.advance(dt, [&](const Substep& s, double h, View<FaceX> u, View<FaceY> v, View<FaceZ> w) {
-      forcing.apply(s, h, u, v, w);
-    });
+  for (int n = 0; n < static_cast<int>(time / dt + 0.5); ++n) advance(solver, forcing, dt);
 
   const double cube = 3 * volume / (4 * M_PI), s = viscosity * time / std::cbrt(cube * cube);
   const double unsteady = 1 + (1 / std::sqrt(M_PI * s) - std::exp(s) * std::erfc(std::sqrt(s))) / 3;
@@ -175,13 +165,7 @@ Spun spin(double retraction, double probe_length) {
   const auto probed = [&](ProbeForm form) {
     const double offset = retraction > 0 ? 0 : forced_surface_offset;
     const ProbeSettings settings{form, Wetting::outside, probe_length, offset, 1.0, viscosity, {}};
-    std::vector<Vec3> points;
-    probe_points(sites, settings, points);
-    std::vector<FlowSample> samples(points.size());
-    sampler.sample(points, samples);
-    ProbeLoads loads;
-    evaluate_probes(sites, settings, samples, loads);
-    return part(total_load(sites.positions, loads.forces, center).torque);
+    return part(total_load(sites.positions, loads_of(sites, settings, sampler).forces, center).torque);
   };
   result.gradient = probed(ProbeForm::gradient);
   result.one_sided = probed(ProbeForm::one_sided);

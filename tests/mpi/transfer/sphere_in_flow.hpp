@@ -52,6 +52,13 @@ inline FlowSolver make_solver(const SphereInFlow& c, const Grid& grid) {
   return solver;
 }
 
+/// A step with markers that force the flow.
+inline void advance(FlowSolver& solver, DirectForcing& forcing, double step) {
+  solver.advance(step, [&](const Substep& s, double dt, View<FaceX> u, View<FaceY> v, View<FaceZ> w) {
+    forcing.apply(s, dt, u, v, w);
+  });
+}
+
 /// Whole velocities of the flow at points of a surface, on every rank.
 inline std::vector<Vec3> velocities_at(const FlowSolver& solver, const std::vector<Vec3>& points) {
   DirectForcing reader(solver.grid(), 1.0);
@@ -104,10 +111,7 @@ inline Leak measure_leak(const SphereInFlow& c, int frequency, int parts, int st
 
   DirectForcing forcing(grid, 1.0, c.iterations);
   forcing.place(markers.positions, markers.areas, markers.velocities);
-  for (int n = 0; n < steps; ++n)
-    solver.advance(c.courant, [&](const Substep& s, double dt, View<FaceX> u, View<FaceY> v, View<FaceZ> w) {
-      forcing.apply(s, dt, u, v, w);
-    });
+  for (int n = 0; n < steps; ++n) advance(solver, forcing, c.courant);
 
   Leak leak;
   leak.markers = layout.n_markers();

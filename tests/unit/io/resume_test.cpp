@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
-#include <sstream>
 
 #include "core/error.hpp"
 #include "io/csv_writer.hpp"
@@ -11,12 +10,6 @@
 // Files that a run continues: cut back to where the checkpoint was, then as if nothing had happened.
 namespace pliant {
 namespace {
-
-std::string text_of(const std::filesystem::path& path) {
-  std::ostringstream text;
-  text << std::ifstream(path).rdbuf();
-  return text.str();
-}
 
 TEST(Resume, ATableLosesTheLinesAfterTheCheckpoint) {
   const TemporaryFolder folder;

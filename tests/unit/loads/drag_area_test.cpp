@@ -3,7 +3,7 @@
 #include <numeric>
 
 #include "loads/traction.hpp"
-#include "structure/make_body.hpp"
+#include "unit/structure/body_of.hpp"
 
 namespace pliant {
 namespace {
@@ -21,7 +21,7 @@ double total_drag(DragArea area, double growth) {
   config.surface = SphereSurface{4, 1.0};
   config.traction.form = TractionForm::drag;
   config.traction.area = area;
-  DeformableBody body = make_body(config, {});
+  DeformableBody body = body_of(config);
   const Traction traction(body, FlowAtRest{}, FluidConfig{});
   for (Vec3& x : body.positions) x = growth * x;
   const ShapeState shape(body.mesh, body.positions);

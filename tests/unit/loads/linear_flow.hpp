@@ -1,6 +1,6 @@
 #pragma once
-#include "structure/make_body.hpp"
 #include "transfer/flow_sample.hpp"
+#include "unit/structure/body_of.hpp"
 
 namespace pliant {
 

@@ -23,7 +23,7 @@ BodyConfig prestressed_drop(double stiffness) {
 TEST(OneWay, FixedBodiesStay) {
   auto config = sphere_config(2, TractionForm::drag);
   config.motion = MotionKind::fixed;
-  auto body = make_body(config, {});
+  auto body = body_of(config);
   EXPECT_EQ(advance_one_way(body, make_shear(1.0), {}, 0.1), 0);
   EXPECT_EQ(body.positions, body.reference);
 }
@@ -31,7 +31,7 @@ TEST(OneWay, FixedBodiesStay) {
 TEST(OneWay, AFreeSheetIsCarriedByTheFlow) {
   auto config = sphere_config(2, TractionForm::drag);
   config.mass_per_vertex = 1e-9;
-  auto body = make_body(config, {});
+  auto body = body_of(config);
   LinearFlow flow;
   flow.velocity = {1, 2, 3};
   for (int i = 0; i < 10; ++i) advance_one_way(body, flow, {}, 0.1);
@@ -42,7 +42,7 @@ TEST(OneWay, AFreeSheetIsCarriedByTheFlow) {
 TEST(OneWay, PrestressedDropFollowsMaffettoneAndMinale) {
   const double capillary = 0.1, f1 = 16.0 / 35.0;
   // sigma = 4 sqrt(3) k / (f1 c_d) = 10 mu R gamma.
-  auto body = make_body(prestressed_drop(10.0 * f1 * 100 / (4 * std::sqrt(3.0))), {});
+  auto body = body_of(prestressed_drop(10.0 * f1 * 100 / (4 * std::sqrt(3.0))));
   const double rest = fit_ellipsoid(body.mesh, body.positions).length;
   for (int i = 0; i < 60; ++i) advance_one_way(body, make_shear(1.0), {}, 0.1);
   const auto fit = fit_ellipsoid(body.mesh, body.positions);
@@ -56,17 +56,17 @@ TEST(OneWay, PrestressedDropFollowsMaffettoneAndMinale) {
 }
 
 TEST(OneWay, SubstepsFollowTheStabilityLimitUnlessGiven) {
-  auto body = make_body(prestressed_drop(66), {});
+  auto body = body_of(prestressed_drop(66));
   const int count = advance_one_way(body, make_shear(1.0), {}, 0.1);
   EXPECT_GT(count, 10);
-  auto again = make_body(prestressed_drop(66), {});
+  auto again = body_of(prestressed_drop(66));
   EXPECT_NEAR(advance_one_way(again, make_shear(1.0), {}, 0.05), count / 2.0, 1.0);
   again.substeps = 777;
   EXPECT_EQ(advance_one_way(again, make_shear(1.0), {}, 0.05), 777);
 }
 
 TEST(OneWay, AnUnstableMotionIsAnError) {
-  auto body = make_body(prestressed_drop(66), {});
+  auto body = body_of(prestressed_drop(66));
   body.substeps = 1;
   EXPECT_THROW(for (int i = 0; i < 1000; ++i) advance_one_way(body, make_shear(1.0), {}, 0.5), RunError);
 }

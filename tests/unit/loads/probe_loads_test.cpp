@@ -4,10 +4,11 @@
 
 #include <functional>
 
-#include "linear_flow.hpp"
-#include "structure/rigid_load.hpp"
 #include "mesh/geometry.hpp"
 #include "mesh/shapes/icosphere.hpp"
+#include "structure/rigid_load.hpp"
+#include "unit/loads/linear_flow.hpp"
+#include "unit/loads/sampled_loads.hpp"
 
 namespace pliant {
 namespace {
@@ -47,16 +48,6 @@ SurfaceSites sphere_sites() {
     sites.areas[f] *= 4 * M_PI / area;
   }
   return sites;
-}
-
-ProbeLoads loads_of(const SurfaceSites& sites, const ProbeSettings& settings, const FlowSampler& flow) {
-  std::vector<Vec3> points;
-  probe_points(sites, settings, points);
-  std::vector<FlowSample> samples(points.size());
-  flow.sample(points, samples);
-  ProbeLoads loads;
-  evaluate_probes(sites, settings, samples, loads);
-  return loads;
 }
 
 RigidLoad total(const SurfaceSites& sites, const ProbeLoads& loads) {

@@ -27,7 +27,7 @@ Vec3 net_force(const VertexLoads& loads) {
 TEST(Traction, DragIsProportionalToViscosityAndArea) {
   auto config = sphere_config(4, TractionForm::drag);
   config.traction.coefficient = 50;
-  const auto body = make_body(config, {});
+  const auto body = body_of(config);
   LinearFlow flow;
   flow.velocity = {3, 0, 0};
   const auto loads = loads_of(body, flow, 0.2);
@@ -42,7 +42,7 @@ TEST(Traction, PressureAloneIsBuoyancy) {
     auto config = sphere_config(3, form);
     config.center = {1, 2, 3};
     config.traction.probe_length = 1e-9;
-    const auto body = make_body(config, {});
+    const auto body = body_of(config);
     LinearFlow flow;
     flow.pressure = 5;
     flow.pressure_gradient = {0.3, 0, -2};
@@ -52,7 +52,7 @@ TEST(Traction, PressureAloneIsBuoyancy) {
 }
 
 TEST(Traction, GradientOfALinearFlowIsItsStressTimesTheNormal) {
-  const auto body = make_body(sphere_config(4, TractionForm::gradient), {{}, 0.2});
+  const auto body = body_of(sphere_config(4, TractionForm::gradient), 0.2);
   const double mu = 0.7, rate = 2.0;
   const auto loads = loads_of(body, make_shear(rate), mu);
   // First moment: sum F x^T = mu (G + G^T) V, exactly, since sum A n c^T = V I over a polyhedron's faces.
@@ -72,7 +72,7 @@ TEST(Traction, GradientOfALinearFlowIsItsStressTimesTheNormal) {
 TEST(Traction, OneSidedIsTheSlipOverTheProbe) {
   auto config = sphere_config(4, TractionForm::one_sided);
   config.traction.probe_length = 0.1;
-  const auto body = make_body(config, {});
+  const auto body = body_of(config);
   LinearFlow flow;
   flow.velocity = {0, 3, 0};
   const auto loads = loads_of(body, flow, 0.7);
@@ -82,7 +82,7 @@ TEST(Traction, OneSidedIsTheSlipOverTheProbe) {
 
 TEST(Traction, FollowsMovedVerticesInALinearFlow) {
   for (auto form : {TractionForm::drag, TractionForm::one_sided}) {
-    auto body = make_body(sphere_config(3, form), {{}, 0.1});
+    auto body = body_of(sphere_config(3, form), 0.1);
     const auto flow = make_shear(2.0);
     const Traction at_start(body, flow, {});
     for (Vec3& x : body.positions) x += Vec3{0.1 * x.z, 0.2, 0.3 * x.x};
@@ -98,7 +98,7 @@ TEST(Traction, FollowsMovedVerticesInALinearFlow) {
 }
 
 TEST(Traction, NoneIsNothing) {
-  const auto body = make_body(sphere_config(2, TractionForm::none), {});
+  const auto body = body_of(sphere_config(2, TractionForm::none));
   EXPECT_EQ(net_force(loads_of(body, make_shear(1.0), 1.0)), Vec3{});
 }
 

@@ -7,36 +7,17 @@
 
 #include "mesh/describe.hpp"
 #include "mesh/shapes/icosphere.hpp"
-#include "patches.hpp"
+#include "unit/mesh/box_at.hpp"
+#include "unit/mesh/patches.hpp"
 
 namespace pliant {
 namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// A box with sides a, b, c, its lower corner at `corner`.
-Surface make_box(Vec3 corner, Vec3 sides) {
-  std::vector<Vec3> positions;
-  for (int i = 0; i < 8; ++i)
-    positions.push_back(corner + Vec3{i & 1 ? sides.x : 0, i & 2 ? sides.y : 0, i & 4 ? sides.z : 0});
-  return {TriangleMesh(8, {{0, 2, 3},
-                           {0, 3, 1},
-                           {4, 5, 7},
-                           {4, 7, 6},
-                           {0, 1, 5},
-                           {0, 5, 4},
-                           {2, 6, 7},
-                           {2, 7, 3},
-                           {0, 4, 6},
-                           {0, 6, 2},
-                           {1, 3, 7},
-                           {1, 7, 5}}),
-          std::move(positions)};
-}
-
 TEST(Geometry, KnowsTheMomentsOfABoxFarFromTheOrigin) {
   const Vec3 corner{100, -200, 300}, sides{1, 2, 3};
-  const auto box = make_box(corner, sides);
+  const auto box = make_box_at(corner, sides);
   EXPECT_NEAR(total_area(box.mesh, box.positions), 22.0, 1e-12);
   EXPECT_NEAR(enclosed_volume(box.mesh, box.positions), 6.0, 1e-12);
   const auto moments = enclosed_moments(box.mesh, box.positions);
@@ -61,7 +42,7 @@ TEST(Geometry, MeasuresAnEquilateralPatch) {
 }
 
 TEST(Geometry, HingeAnglesArePositiveWhereConvex) {
-  const auto box = make_box({0, 0, 0}, {1, 1, 1});
+  const auto box = make_box_at({0, 0, 0}, {1, 1, 1});
   double sum = 0;
   for (double angle : hinge_angles(box.mesh, box.positions)) {
     EXPECT_TRUE(std::abs(angle) < 1e-14 || std::abs(angle - pi / 2) < 1e-14);

@@ -7,6 +7,7 @@
 #include "core/error.hpp"
 #include "mesh/geometry.hpp"
 #include "structure/stable_time_step.hpp"
+#include "unit/structure/body_of.hpp"
 
 namespace pliant {
 namespace {
@@ -21,7 +22,7 @@ BodyConfig drop() {
 }
 
 TEST(MakeBody, PutsASphereAtRestAtItsPlace) {
-  const auto body = make_body(drop(), {});
+  const auto body = body_of(drop());
   EXPECT_EQ(body.mesh.n_vertices(), 92);
   EXPECT_LT(norm(enclosed_moments(body.mesh, body.positions).centroid - Vec3{1, 2, 3}), 1e-13);
   EXPECT_NEAR(body.radius, std::cbrt(enclosed_volume(body.mesh, body.positions) * 3 / (4 * std::numbers::pi)), 1e-14);
@@ -39,7 +40,7 @@ TEST(MakeBody, MakesThePotentialsOfTheConfiguration) {
   config.potentials.area = AreaConfig{10.0};
   config.potentials.total_area = AreaConfig{10.0};
   config.potentials.surface_tension = SurfaceTensionConfig{2.0, 0.0};
-  const auto body = make_body(config, {});
+  const auto body = body_of(config);
   const auto energies = body.potentials.energies(body.mesh, body.positions);
   ASSERT_EQ(energies.size(), 6u);
   double squares = 0;
@@ -56,23 +57,26 @@ TEST(MakeBody, MakesThePotentialsOfTheConfiguration) {
 TEST(MakeBody, RefusesStiffnessesBeyondNumbers) {
   auto config = drop();
   config.potentials.edge = EdgeConfig{1e308, 0.0};
-  EXPECT_THROW(make_body(config, {}), InputError);
+  EXPECT_THROW(body_of(config), InputError);
 }
 
 TEST(MakeBody, ProbesAreOneSpacingLongUnlessGiven) {
   auto config = drop();
-  EXPECT_EQ(make_body(config, {{}, 0.125}).traction.probe_length, 0.125);
+  EXPECT_EQ(body_of(config, 0.125).traction.probe_length, 0.125);
   config.traction.probe_length = 0.5;
-  EXPECT_EQ(make_body(config, {{}, 0.125}).traction.probe_length, 0.5);
+  EXPECT_EQ(body_of(config, 0.125).traction.probe_length, 0.5);
 }
 
-TEST(MakeBody, RefusesAMassOfZeroAndAMissingFile) {
+TEST(MakeBody, RefusesAMassOfZero) {
   auto config = drop();
   config.mass_per_vertex = 0;
-  EXPECT_THROW(make_body(config, {}), InputError);
-  config = drop();
+  EXPECT_THROW(body_of(config), InputError);
+}
+
+TEST(LoadShape, RefusesAMissingFile) {
+  auto config = drop();
   config.surface = FileSurface{"no-such-file.gts", 1.0};
-  EXPECT_THROW(make_body(config, {}), InputError);
+  EXPECT_THROW(load_shape(config, "."), InputError);
 }
 
 }  // namespace

@@ -6,31 +6,12 @@
 
 #include "core/error.hpp"
 #include "mesh/shapes/icosphere.hpp"
-#include "mesh/surface.hpp"
+#include "unit/mesh/box_at.hpp"
 
 namespace pliant {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-
-Surface make_box(Vec3 corner, Vec3 sides) {
-  std::vector<Vec3> positions;
-  for (int i = 0; i < 8; ++i)
-    positions.push_back(corner + Vec3{i & 1 ? sides.x : 0, i & 2 ? sides.y : 0, i & 4 ? sides.z : 0});
-  return {TriangleMesh(8, {{0, 2, 3},
-                           {0, 3, 1},
-                           {4, 5, 7},
-                           {4, 7, 6},
-                           {0, 1, 5},
-                           {0, 5, 4},
-                           {2, 6, 7},
-                           {2, 7, 3},
-                           {0, 4, 6},
-                           {0, 6, 2},
-                           {1, 3, 7},
-                           {1, 7, 5}}),
-          std::move(positions)};
-}
 
 Surface make_ellipsoid(int frequency, Vec3 half_axes, Vec3 center) {
   Surface surface = make_icosphere(frequency, 1.0);
@@ -40,7 +21,7 @@ Surface make_ellipsoid(int frequency, Vec3 half_axes, Vec3 center) {
 
 TEST(MassProperties, SolidBoxIsExact) {
   const Vec3 corner{10, -20, 30}, sides{1, 2, 3};
-  const auto box = make_box(corner, sides);
+  const auto box = make_box_at(corner, sides);
   const auto body = solid_mass_properties(box.mesh, box.positions, 2.5);
   // Roundings of coordinates of order 30, squared, times the mass.
   constexpr double tolerance = 1e-11;
@@ -116,7 +97,7 @@ TEST(MassProperties, RefusesWhatHasNoMass) {
   EXPECT_EQ(problems_of([&] { shell_mass_properties(mesh, positions, 0.0, std::nan("")); }), 2u);
   EXPECT_EQ(problems_of([&] { shell_mass_properties(mesh, positions, 1.0, 0.1); }), 0u);
   // Turned inside out.
-  auto box = make_box({0, 0, 0}, {1, 1, 1});
+  auto box = make_box_at({0, 0, 0}, {1, 1, 1});
   for (Vec3& x : box.positions) x = -x;
   EXPECT_EQ(problems_of([&] { solid_mass_properties(box.mesh, box.positions, 1.0); }), 1u);
 }

@@ -55,12 +55,13 @@ TEST(Rotation, FollowsTheRightHandRuleAndIsExactAtQuarterTurns) {
       1e-14);
 }
 
-TEST(LoadSurface, TurnsTheSurfaceBeforeItIsPutAtItsCenter) {
+TEST(Placement, TurnsTheSurfaceBeforeItIsPutAtItsCenter) {
   BodyConfig body;
   body.surface = PlateSurface{{2, 1}, 0.2};
   body.rotation = {{0, 1, 0}, 30};
   body.center = {5, 6, 7};
-  const auto plate = load_surface(body, ".");
+  auto plate = load_shape(body, ".");
+  plate.positions = place(plate.positions, given_placement(body));
   const Vec3 normal{std::sin(pi / 6), 0, std::cos(pi / 6)};
   for (const Vec3 n : face_normals(plate.mesh, plate.positions)) EXPECT_LT(norm(n - normal), 1e-13);
   for (const Vec3 x : plate.positions) EXPECT_NEAR(dot(x - body.center, normal), 0, 1e-14);
