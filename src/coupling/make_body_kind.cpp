@@ -117,11 +117,16 @@ void set_shape(BodyKind& kind, const Grid& grid) {
   kind.reference = body.positions;
   for (Vec3& x : kind.reference) x -= kind.centroid;
   if (closed) kind.displaced.centroid -= kind.centroid;
-  const bool retracts = closed && kind.config.motion != MotionKind::deformable;
-  kind.retraction = mean_spacing(grid) * kind.config.marker_retraction.value_or(retracts ? marker_retraction : 0.0);
+  const bool retracts = kind.config.motion != MotionKind::deformable;
+  const double retraction =
+      mean_spacing(grid) * kind.config.marker_retraction.value_or(retracts ? marker_retraction : 0.0);
   kind.layout = kind.config.marker_refinement > 0
                     ? MarkerLayout(body.mesh, kind.config.marker_refinement)
                     : MarkerLayout(body.mesh, refinement_for(body.mesh, body.positions, smallest_spacing(grid)));
+  if (closed)
+    kind.retraction = retraction;
+  else if (retraction > 0)
+    kind.layout.draw_in(body.mesh, body.positions, retraction);
 }
 
 /// A marker that stands for more than about two cells overshoots, and the flow blows up.
@@ -165,7 +170,7 @@ BodyKind make_body_kind(const CaseConfig& config, std::size_t index, const Grid&
   if (kind.config.motion == MotionKind::prescribed) set_path(kind, config);
   kind.probes.form = probe_form(body.traction.form);
   kind.probes.wetting = closed ? Wetting::outside : Wetting::both_sides;
-  if (kind.retraction == 0) kind.probes.offset = forced_surface_offset * mean_spacing(grid);
+  if (kind.retraction == 0 && !kind.is_thin_sheet()) kind.probes.offset = forced_surface_offset * mean_spacing(grid);
   kind.probes.length = body.traction.probe_length;
   kind.probes.density = config.fluid.density;
   kind.probes.viscosity = config.fluid.viscosity;
