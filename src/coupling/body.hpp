@@ -34,7 +34,7 @@ struct BodyKind {
 
   bool is_closed() const { return displaced.volume > 0; }
   /// Fluid on both sides, and no thickness that the flow should feel.
-  bool is_thin_sheet() const { return !is_closed() && config.thin_sheet; }
+  bool is_thin_sheet() const { return !is_closed() && config.thin_sheet && config.coupling != CouplingKind::one_way; }
   bool acts_on_flow() const { return coupling != CouplingKind::one_way; }
   /// Its vertices follow a pose; else Newton's law, one by one.
   bool has_pose() const { return config.motion != MotionKind::deformable; }

@@ -123,10 +123,8 @@ void set_shape(BodyKind& kind, const Grid& grid) {
   kind.layout = kind.config.marker_refinement > 0
                     ? MarkerLayout(body.mesh, kind.config.marker_refinement)
                     : MarkerLayout(body.mesh, refinement_for(body.mesh, body.positions, smallest_spacing(grid)));
-  if (closed)
-    kind.retraction = retraction;
-  else if (retraction > 0)
-    kind.layout.draw_in(body.mesh, body.positions, retraction);
+  if (closed) kind.retraction = retraction;
+  else if (retraction > 0) kind.layout.draw_in(body.mesh, body.positions, retraction);
 }
 
 /// A marker that stands for more than about two cells overshoots, and the flow blows up.

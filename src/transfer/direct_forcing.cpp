@@ -26,7 +26,8 @@ void DirectForcing::place(std::span<const Vec3> positions, std::span<const doubl
   set_velocities(velocities, group);
 }
 
-void DirectForcing::set_sheets(std::span<const Vec3> normals, double viscosity, Completion complete, MarkerGroup group) {
+void DirectForcing::set_sheets(std::span<const Vec3> normals, double viscosity, Completion complete,
+                               MarkerGroup group) {
   Set& set = set_of(group);
   set.complete = std::move(complete);
   set.whole.resize(normals.size());
@@ -59,10 +60,8 @@ void DirectForcing::apply(const Substep& substep, double dt, View<FaceX> u, View
 void DirectForcing::force_once(double weight, double dt_alpha, View<FaceX> u, View<FaceY> v, View<FaceZ> w) {
   fields_.clear();
   for (Set& set : sets_)
-    if (set.complete)
-      force_sheets(set, weight, dt_alpha, u, v, w);
-    else
-      force_set(set, weight, dt_alpha, u, v, w);
+    if (set.complete) force_sheets(set, weight, dt_alpha, u, v, w);
+    else force_set(set, weight, dt_alpha, u, v, w);
   fields_.gather();
   fields_.add_to(dt_alpha, u, v, w);
 }

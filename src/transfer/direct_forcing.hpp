@@ -16,10 +16,10 @@ enum class MarkerGroup { fixed, moving };
 ///
 /// V the wanted and U the interpolated velocity; repeated `iterations` times (multi-direct forcing).
 ///
-/// Sheets have fluid on both sides. Their force is spread over a layer, as their velocity is interpolated from one, so that a
-/// flow u = V + a|y| along a thin sheet is seen as V + a d by its markers, d = sum_ij phi_i phi_j |y_i - y_j|: with U = V it
-/// would be at rest d outside on either side, as at a plate 2 d thick. As a unit of area takes the force 2 nu a from the
-/// flow, U = V - d/(2 nu) h F is what is asked for, of the components along the sheet:
+/// Sheets have fluid on both sides. Their force is spread over a layer, as their velocity is interpolated from one, so
+/// that a flow u = V + a|y| along a thin sheet is seen as V + a d by its markers, d = sum_ij phi_i phi_j |y_i - y_j|:
+/// with U = V it would be at rest d outside on either side, as at a plate 2 d thick. As a unit of area takes the force
+/// 2 nu a from the flow, U = V - d/(2 nu) h F is what is asked for, of the components along the sheet:
 ///
 ///   F <- F + ((V - U)/(alpha dt) - r F)/(1 + r),   r = d h/(2 nu alpha dt), F: all of this substep.
 ///
@@ -36,8 +36,8 @@ class DirectForcing {
   /// Sums what the ranks know of the group's markers, by the caller's index, and tells it to all that hold them:
   /// PointRouter::collect, then send.
   using Completion = std::function<void(std::vector<Vec3>&)>;
-  /// Which of the group's markers, as they were placed, are those of thin sheets: unit normals, zero for all others. Until
-  /// the group is placed anew. Collective in that all ranks call it or none.
+  /// Which of the group's markers, as they were placed, are those of thin sheets: unit normals, zero for all others.
+  /// Until the group is placed anew. Collective in that all ranks call it or none.
   void set_sheets(std::span<const Vec3> normals, double viscosity, Completion complete,
                   MarkerGroup group = MarkerGroup::moving);
   /// New wanted velocities of the same markers, in the caller's order.

@@ -12,8 +12,8 @@ namespace {
 
 constexpr int block = 4;  // cells along its edges
 
-/// How likely two nodes drawn with the values of a stencil as probabilities are to be neighbours in one order; that they are
-/// two spacings apart is below 1e-3 and left out. Stencils shifted away from a side have no probabilities.
+/// How likely two nodes drawn with the values of a stencil as probabilities are to be neighbours in one order; that
+/// they are two spacings apart is below 1e-3 and left out. Stencils shifted away from a side have no probabilities.
 double chance_of_neighbours(const StencilNumbers& value, int lane) {
   return std::clamp(value[0][lane] * value[1][lane] + value[1][lane] * value[2][lane], 0.0, 0.25);
 }

@@ -61,8 +61,8 @@ class Markers {
   std::span<const double> spreading(int component) const { return parts_[component == 2].spreading; }
 
   /// d h of markers with unit normals n, by the caller's index, in working order; 0 where n is the zero vector. h: mean
-  /// spacing; d: how thick the layer is through which a sheet acts, sum_ij phi_i phi_j |n.(x_i - x_j)|, as the mean of the
-  /// components along the sheet. Does not depend on the rank.
+  /// spacing; d: how thick the layer is through which a sheet acts, sum_ij phi_i phi_j |n.(x_i - x_j)|, as the mean of
+  /// the components along the sheet. Does not depend on the rank.
   std::vector<double> layers(std::span<const Vec3> normals) const;
 
   /// visit(block) for blocks of stencils that cover all markers, in working order.

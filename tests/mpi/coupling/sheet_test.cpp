@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "coupling/loose.hpp"
@@ -71,7 +72,8 @@ Vec3 mean_velocity(const CaseConfig& config, double end, const Communicator& ran
 
 TEST(Sheet, IsThinToSecondOrder) {
   for (const double offset : {0.0, 0.25, 0.5}) {
-    const double coarse = mean_velocity(channel(8, offset), 1.0).x - 1, fine = mean_velocity(channel(16, offset), 1.0).x - 1;
+    const double coarse = mean_velocity(channel(8, offset), 1.0).x - 1,
+                 fine = mean_velocity(channel(16, offset), 1.0).x - 1;
     EXPECT_LT(std::abs(fine), 0.01) << offset;
     EXPECT_GT(std::abs(coarse), 3 * std::abs(fine)) << offset;
   }
@@ -86,6 +88,21 @@ TEST(Sheet, IsASpacingThickWithoutSlip) {
     const double m = n - 1;
     EXPECT_NEAR(mean_velocity(config, 1.0).x, m * (m * m - 1) / (n * n * n), 1e-3) << n;
   }
+}
+
+TEST(Sheet, IsThinAcrossTheGridToATenthOfASpacing) {
+  // Height 1/sqrt 2; means g H^2/(12 nu) across the section and along the sheet. Walls that are s nearer on both
+  // sides take 6 s/H of it.
+  const auto outside = [](const CaseConfig& config) {
+    const Vec3 mean = mean_velocity(config, 0.5);
+    const double scale = std::sqrt(0.5) / 6 * config.box.cells[2];
+    return std::array{scale * (1 - mean.y / 0.5),
+                      scale * (1 - (mean.x - mean.z) / std::sqrt(2.0) / (std::sqrt(128.0) / 24))};
+  };
+  auto config = diagonal_channel(16);
+  for (double spacings : outside(config)) EXPECT_LT(std::abs(spacings), 0.1);
+  config.bodies[0].thin_sheet = false;
+  for (double spacings : outside(config)) EXPECT_GT(spacings, 0.3);
 }
 
 TEST(Sheet, IsTheSameOnAllNumbersOfRanks) {

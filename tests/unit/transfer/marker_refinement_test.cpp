@@ -125,9 +125,7 @@ TEST(MarkerLayout, DrawsMarkersInFromBorders) {
     const double distance = std::min(1.5 - std::abs(x.x), 1 - std::abs(x.y));
     EXPECT_NEAR(norm(shift), std::max(0.0, 0.05 - distance / 10), 1e-14);
     const double drawn = std::min(1.5 - std::abs(in.positions[m].x), 1 - std::abs(in.positions[m].y));
-    if (std::abs(1.5 - std::abs(x.x) - 1 + std::abs(x.y)) > 0.1) {
-      EXPECT_NEAR(drawn, distance + norm(shift), 1e-14);
-    }
+    if (std::abs(1.5 - std::abs(x.x) - 1 + std::abs(x.y)) > 0.1) { EXPECT_NEAR(drawn, distance + norm(shift), 1e-14); }
     EXPECT_EQ(in.areas[m], on.areas[m]);
   }
   // As part of the surface: they go where it goes, and give their forces to the same vertices.
