@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """Lift and drag of a plate of aspect ratio 2 over its incidence, against the experiments in Taira and Colonius (2009)."""
 import argparse
+import math
 import sys
 from pathlib import Path
 
@@ -13,16 +14,26 @@ from common import Bounds, Runner, read_table, wall_seconds  # noqa: E402
 ANGLES = (10, 20, 30, 40, 90)
 MOMENT, WINDOW = 13.0, 0.5  # coefficients are means over [MOMENT - WINDOW, MOMENT]
 BOUND = 8.0  # per cent
-BOX, WIDE, WHOLE = (7, 2.5, 6), (10.5, 4, 9), (7, 5, 6)
+BOX, SMALL, WHOLE = (10.5, 4, 9), (7, 2.5, 6), (10.5, 8, 9)
+WIDTH, GROWTH = 2, 0.05  # of the cells along z
+THICK = {"body.plate.thin_sheet": False, "body.plate.marker_retraction": 0}
 
 
-def settings(angle, spacing, size=BOX):
+def planes(height, spacing):
+    """Cells along z that are as long as those along x and y around the plate."""
+    outside = (height - WIDTH) / 2
+    return round(WIDTH * spacing + 2 * math.log1p(GROWTH * outside * spacing) / GROWTH)
+
+
+def settings(angle, spacing, size=BOX, stretched=True):
     """`spacing`: cells a chord. All boxes but WHOLE hold half of the plate."""
     whole = size == WHOLE
+    height = planes(size[2], spacing) if stretched else round(size[2] * spacing)
+    uniform = {} if stretched else {"box.stretching.z": '{ law = "uniform" }'}
     return {"box.size": list(size), "box.origin": [-size[0] * 2.5 / 7, -size[1] / 2 if whole else 0, -size[2] / 2],
-            "box.cells": [round(s * spacing) for s in size], "body.plate.rotation.angle": angle,
-            "body.plate.surface.size": [1, 2 if whole else 1], "body.plate.center": [0, 0 if whole else 0.5, 0],
-            "body.plate.surface.edge": round(1.25 / spacing, 4)}
+            "box.cells": [round(size[0] * spacing), round(size[1] * spacing), height], **uniform,
+            "body.plate.rotation.angle": angle, "body.plate.surface.size": [1, 2 if whole else 1],
+            "body.plate.center": [0, 0 if whole else 0.5, 0], "body.plate.surface.edge": round(1.25 / spacing, 4)}
 
 
 def experiment(name):
@@ -34,7 +45,7 @@ def measured_at(name, angle):
     return float(np.interp(angle, table[:, 0], table[:, 1]))
 
 
-def coefficients(folder, spacing, size=BOX):
+def coefficients(folder, size=BOX):
     """Mean drag and lift over the window: force of the whole plate over 1/2 rho U^2 (1 x 2 chords)."""
     table = read_table(folder / "bodies" / "plate.csv")
     late = table["time"] >= MOMENT - WINDOW
@@ -42,8 +53,6 @@ def coefficients(folder, spacing, size=BOX):
     mean = {key: (1 if key == "slip" else whole) * float(np.mean(table[column][late])) for key, column in
             {"drag": "force_x", "lift": "force_z", "probe_drag": "probe_force_x", "probe_lift": "probe_force_z",
              "slip": "slip_rms"}.items()}
-    # Forcing acts about 0.2 cells outside the markers, at the edges too.
-    mean["area"] = (1 + 0.4 / spacing) * (2 + 0.4 / spacing) / 2
     mean["minutes"] = wall_seconds(folder) / 60
     return mean
 
@@ -70,22 +79,14 @@ def along_plate(c, angle):
 
 
 def sensitivity_table(rows, angle=30):
-    lines = ["| cells a chord | box, chords | drag | lift | normal | tangential | drag / acting area | lift / acting area | minutes |",
-             "|" + "---|" * 9]
-
-    def line(spacing, box, c, minutes):
+    lines = ["| cells a chord | | drag | lift | normal | tangential | probes: drag | lift | slip, rms | minutes |", "|" + "---|" * 10]
+    for spacing, what, c in rows:
         normal, tangential = along_plate(c, angle)
-        lines.append(f"| {spacing} | {box} | {c['drag']:.3f} | {c['lift']:.3f} | {normal:.3f} | {tangential:.3f} | "
-                     f"{c['drag'] / c['area']:.3f} | {c['lift'] / c['area']:.3f} | {minutes} |")
-
-    for spacing, size, c in rows:
-        part = "whole plate" if size == WHOLE else "half"
-        line(spacing, f"{size[0]} x {size[1]} x {size[2]}, {part}", c, f"{c['minutes']:.1f}")
-    spacings = [1 / n for n, size, _ in rows if size == BOX]
-    limit = {key: float(np.polyfit(spacings, [c[key] for _, size, c in rows if size == BOX], 1)[1])
-             for key in ("drag", "lift")}
-    line("no spacing", "straight line through the four grids", {**limit, "area": 1.0}, "")
-    line("experiment", "", {"drag": measured_at("drag", angle), "lift": measured_at("lift", angle), "area": 1.0}, "")
+        lines.append(f"| {spacing} | {what} | {c['drag']:.3f} | {c['lift']:.3f} | {normal:.3f} | {tangential:.3f} | "
+                     f"{c['probe_drag']:.3f} | {c['probe_lift']:.3f} | {c['slip']:.4f} | {c['minutes']:.1f} |")
+    normal, tangential = along_plate({"drag": measured_at("drag", angle), "lift": measured_at("lift", angle)}, angle)
+    lines.append(f"| experiment | | {measured_at('drag', angle):.3f} | {measured_at('lift', angle):.3f} | {normal:.3f} | "
+                 f"{tangential:.3f} | | | | |")
     return "\n".join(lines)
 
 
@@ -128,14 +129,23 @@ def main():
     spacing = 12 if arguments.quick else 20
 
     folders = {a: runner.run(f"angle-{a}-n{spacing}", settings(a, spacing)) for a in ANGLES}
-    results = {a: coefficients(folder, spacing) for a, folder in folders.items()}
-    text = f"{spacing} cells a chord, half the plate in a box of {BOX[0]} x {BOX[1]} x {BOX[2]} chords\n\n" + angle_table(results)
+    results = {a: coefficients(folder) for a, folder in folders.items()}
+    text = f"{spacing} cells a chord\n\n" + angle_table(results)
 
     if not arguments.quick:
         rows = []
-        for n, size, kind in ((12, BOX, ""), (12, WHOLE, "-whole"), (12, WIDE, "-wide"), (16, BOX, ""), (20, BOX, ""), (24, BOX, "")):
-            folder = runner.run(f"angle-30-n{n}{kind}", settings(30, n, size))
-            rows.append((n, size, coefficients(folder, n, size)))
+
+        def study(n, what, kind="", size=BOX, stretched=True, further=None):
+            folder = runner.run(f"angle-30-n{n}{kind}", {**settings(30, n, size, stretched), **(further or {})})
+            rows.append((n, what, coefficients(folder, size)))
+
+        for n in (12, 16, 20, 24):
+            study(n, "")
+        for n in (12, 16, 20):
+            study(n, "no slip at the markers, edges not drawn in", "-thick", further=THICK)
+        study(12, "whole plate, box twice as wide", "-whole", WHOLE)
+        study(12, "equal cells along z", "-equal", stretched=False)
+        study(12, "box of 7 x 2.5 x 6, equal cells", "-small", SMALL, stretched=False)
         text += "\n\nAt 30 degrees:\n\n" + sensitivity_table(rows)
 
     print(text + "\n")

@@ -272,7 +272,8 @@ struct BodyConfig {
   HingeConfig hinge;
   LoadSource loads = LoadSource::momentum_balance;
   int marker_refinement = 0;                ///< markers along the edge of a face; 0: as many as the grid asks for
-  std::optional<double> marker_retraction;  ///< spacings; default: that of closed bodies, 0 for open ones
+  std::optional<double> marker_retraction;  ///< spacings; default: transfer's, 0 for deformable bodies
+  bool thin_sheet = true;                   ///< of an open surface: forces along it as a sheet without thickness takes
   double mass_per_vertex = 1.0;
   double damping = 0.0;         ///< force = -damping * velocity of the vertex
   std::optional<int> substeps;  ///< within a fluid step; else found from the stability limit

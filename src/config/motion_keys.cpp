@@ -127,10 +127,18 @@ void add_motion_keys(std::vector<BodyKey>& keys) {
           [](auto& b) { return &b.marker_refinement; }, between(0, 100)),
       "coupling is not \"one-way\"", [](const BodyConfig& b) { return b.coupling != CouplingKind::one_way; }));
   keys.push_back(only_when<BodyConfig>(
-      make_key<BodyConfig>({"marker_retraction", "grid spacings",
-                            "how far inside the surface markers are put, since forcing acts as a body larger by about as "
-                            "much; default: 0.2 for closed surfaces, 0 for open ones"},
-                           [](auto& b) { return &b.marker_retraction; }, between(0, 1)),
+      make_key<BodyConfig>(
+          {"marker_retraction", "grid spacings",
+           "how far inside a closed surface markers are put, or away from the borders of an open one, "
+           "since forcing acts as a body larger by about as much; default: 0.2"},
+          [](auto& b) { return &b.marker_retraction; }, between(0, 1)),
+      "coupling is not \"one-way\"", [](const BodyConfig& b) { return b.coupling != CouplingKind::one_way; }));
+  keys.push_back(only_when<BodyConfig>(
+      make_key<BodyConfig>(
+          {"thin_sheet", "",
+           "of an open surface: the flow feels a sheet without thickness; false: no slip at the markers, "
+           "which acts as one about a spacing thick"},
+          [](auto& b) { return &b.thin_sheet; }),
       "coupling is not \"one-way\"", [](const BodyConfig& b) { return b.coupling != CouplingKind::one_way; }));
   add_path(keys);
   add_material(keys);

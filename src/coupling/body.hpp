@@ -33,6 +33,8 @@ struct BodyKind {
   PrescribedMotion path;  ///< motion = "prescribed"
 
   bool is_closed() const { return displaced.volume > 0; }
+  /// Fluid on both sides, and no thickness that the flow should feel.
+  bool is_thin_sheet() const { return !is_closed() && config.thin_sheet && config.coupling != CouplingKind::one_way; }
   bool acts_on_flow() const { return coupling != CouplingKind::one_way; }
   /// Its vertices follow a pose; else Newton's law, one by one.
   bool has_pose() const { return config.motion != MotionKind::deformable; }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/LU>
+#include <algorithm>
 
 #include "core/error.hpp"
 #include "parallel/agree.hpp"
@@ -25,6 +26,12 @@ std::span<const Vec3> part(std::span<const Vec3> all, std::size_t begin, std::si
 
 bool belongs(const BodyKind& kind, MarkerGroup group) {
   return kind.acts_on_flow() && (kind.config.motion == MotionKind::fixed) == (group == MarkerGroup::fixed);
+}
+
+bool has_sheets(const Bodies& bodies, MarkerGroup group) {
+  const auto kinds = bodies.kinds();
+  return std::any_of(kinds.begin(), kinds.end(),
+                     [&](const BodyKind& kind) { return belongs(kind, group) && kind.is_thin_sheet(); });
 }
 
 /// Mean velocity and rotation of markers, weighted by area: exact if they move as a rigid body.
@@ -59,6 +66,7 @@ RigidState rigid_fit(std::span<const Vec3> positions, std::span<const Vec3> velo
 ImmersedBoundary::ImmersedBoundary(const Grid& grid, const CaseConfig& config)
     : grid_(grid),
       density_(config.fluid.density),
+      viscosity_(config.fluid.viscosity / config.fluid.density),
       forcing_(grid, config.fluid.density, config.immersed_boundary.forcing_iterations),
       groups_{Group(grid), Group(grid)} {}
 
@@ -113,6 +121,25 @@ void ImmersedBoundary::place_as_told(const Bodies& bodies, MarkerGroup which) {
   group.router.send(group.markers.velocities, group.held_vectors);
   group.router.send(group.markers.areas, group.held_areas);
   forcing_.place(group.router.held(), group.held_areas, group.held_vectors, which);
+  if (has_sheets(bodies, which)) place_sheets(bodies, group, which);
+}
+
+void ImmersedBoundary::place_sheets(const Bodies& bodies, Group& group, MarkerGroup which) {
+  group.own_vectors.assign(group.markers.areas.size(), Vec3{});
+  for (const Part& p : group.parts)
+    if (bodies.kind_of(*bodies.find(p.body)).is_thin_sheet())
+      std::copy(group.markers.normals.begin() + static_cast<std::ptrdiff_t>(p.begin),
+                group.markers.normals.begin() + static_cast<std::ptrdiff_t>(p.end),
+                group.own_vectors.begin() + static_cast<std::ptrdiff_t>(p.begin));
+  group.router.send(group.own_vectors, group.held_vectors);
+  forcing_.set_sheets(
+      group.held_vectors, viscosity_,
+      [&group](std::vector<Vec3>& held) {
+        group.own_vectors.resize(group.markers.areas.size());
+        group.router.collect(held, group.own_vectors);
+        group.router.send(group.own_vectors, held);
+      },
+      which);
 }
 
 void ImmersedBoundary::find_reactions(Bodies& bodies, MarkerGroup which, double step, Vec3 driving) {
@@ -148,12 +175,24 @@ std::span<const Vec3> ImmersedBoundary::flow_at_markers(const FlowState& flow, M
   return group.own_vectors;
 }
 
+// Along a thin sheet the interpolated velocity is not that of the sheet (DirectForcing): only what passes it is slip.
+void ImmersedBoundary::leave_out_along(const Bodies& bodies, Group& group) {
+  for (const Part& p : group.parts) {
+    if (!bodies.kind_of(*bodies.find(p.body)).is_thin_sheet()) continue;
+    for (std::size_t m = p.begin; m < p.end; ++m) {
+      const Vec3 normal = group.markers.normals[m], velocity = group.markers.velocities[m];
+      group.own_vectors[m] = velocity + dot(group.own_vectors[m] - velocity, normal) * normal;
+    }
+  }
+}
+
 void ImmersedBoundary::measure_slip(Bodies& bodies, const FlowState& flow) {
   // The markers of a body that has changed ranks since the step are with its old one.
   if (group_of(MarkerGroup::moving).arrangement != bodies.arrangement()) place_as_told(bodies, MarkerGroup::moving);
   for (const MarkerGroup which : {MarkerGroup::fixed, MarkerGroup::moving}) {
     const auto velocities = flow_at_markers(flow, which);
-    const auto& group = group_of(which);
+    auto& group = group_of(which);
+    leave_out_along(bodies, group);
     for (const Part& p : group.parts)
       bodies.find(p.body)->slip =
           pliant::measure_slip(part(velocities, p.begin, p.end), part(group.markers.velocities, p.begin, p.end),

@@ -30,7 +30,7 @@ class ImmersedBoundary {
   /// Sets loads.reaction and loads.balance of the group's bodies from the forcing of the last step. `driving`: the
   /// uniform acceleration that acted on the fluid. Collective.
   void find_reactions(Bodies& bodies, MarkerGroup group, double step, Vec3 driving);
-  /// Sets the slip of all bodies that act on the flow. Collective.
+  /// Sets the slip of all bodies that act on the flow; of thin sheets, that across them. Collective.
   void measure_slip(Bodies& bodies, const FlowState& flow);
 
  private:
@@ -51,13 +51,15 @@ class ImmersedBoundary {
     long arrangement = 0;  // of the bodies when they were placed
   };
   Group& group_of(MarkerGroup group) { return groups_[static_cast<std::size_t>(group)]; }
+  void place_sheets(const Bodies& bodies, Group& group, MarkerGroup which);
   void place_as_told(const Bodies& bodies, MarkerGroup which);
   void gather(const Bodies& bodies, MarkerGroup which, Group& group) const;
+  void leave_out_along(const Bodies& bodies, Group& group);
   std::string find_outside(const Bodies& bodies, MarkerGroup which) const;
   std::span<const Vec3> flow_at_markers(const FlowState& flow, MarkerGroup which);
 
   Grid grid_;
-  double density_;
+  double density_, viscosity_;  // kinematic
   DirectForcing forcing_;
   std::array<Group, 2> groups_;
 };

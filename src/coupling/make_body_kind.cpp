@@ -111,11 +111,14 @@ void set_shape(BodyKind& kind, const Grid& grid) {
   kind.reference = body.positions;
   for (Vec3& x : kind.reference) x -= kind.centroid;
   if (closed) kind.displaced.centroid -= kind.centroid;
-  const bool retracts = closed && kind.config.motion != MotionKind::deformable;
-  kind.retraction = grid.mean_spacing() * kind.config.marker_retraction.value_or(retracts ? marker_retraction : 0.0);
+  const bool retracts = kind.config.motion != MotionKind::deformable;
+  const double retraction =
+      grid.mean_spacing() * kind.config.marker_retraction.value_or(retracts ? marker_retraction : 0.0);
   kind.layout = kind.config.marker_refinement > 0
                     ? MarkerLayout(body.mesh, kind.config.marker_refinement)
                     : MarkerLayout(body.mesh, refinement_for(body.mesh, body.positions, grid.smallest_spacing()));
+  if (closed) kind.retraction = retraction;
+  else if (retraction > 0) kind.layout.draw_in(body.mesh, body.positions, retraction);
 }
 
 /// A marker that stands for more than about two cells overshoots, and the flow blows up.
@@ -155,7 +158,7 @@ BodyKind make_body_kind(const CaseConfig& config, std::size_t index, Surface sha
   if (kind.config.motion == MotionKind::prescribed) set_path(kind, config);
   kind.probes.form = probe_form(body.traction.form);
   kind.probes.wetting = closed ? Wetting::outside : Wetting::both_sides;
-  if (kind.retraction == 0) kind.probes.offset = forced_surface_offset * grid.mean_spacing();
+  if (kind.retraction == 0 && !kind.is_thin_sheet()) kind.probes.offset = forced_surface_offset * grid.mean_spacing();
   kind.probes.length = body.traction.probe_length;
   kind.probes.density = config.fluid.density;
   kind.probes.viscosity = config.fluid.viscosity;

@@ -9,7 +9,7 @@
 namespace pliant {
 DirectForcing::DirectForcing(const Grid& grid, double density, int iterations)
     : grid_(grid),
-      sets_{Set{Markers(grid), {}, {}, {}}, Set{Markers(grid), {}, {}, {}}},
+      sets_{Set(grid), Set(grid)},
       fields_(grid),
       halo_(grid.ranks(), grid.is_periodic(2) ? SlabHalo::Ends::periodic : SlabHalo::Ends::bounded, grid.nz()),
       density_(density),
@@ -22,7 +22,20 @@ void DirectForcing::place(std::span<const Vec3> positions, std::span<const doubl
   if (group == MarkerGroup::fixed) fields_.reach_always(set.markers);
   fields_.reach(set_of(MarkerGroup::moving).markers);
   for (auto* vectors : {&set.wanted, &set.found, &set.impulse}) vectors->assign(set.markers.padded_size());
+  set.complete = nullptr;
   set_velocities(velocities, group);
+}
+
+void DirectForcing::set_sheets(std::span<const Vec3> normals, double viscosity, Completion complete,
+                               MarkerGroup group) {
+  Set& set = set_of(group);
+  set.complete = std::move(complete);
+  set.whole.resize(normals.size());
+  const auto indices = set.markers.indices();
+  set.normals.resize(indices.size());
+  for (std::size_t m = 0; m < indices.size(); ++m) set.normals[m] = normals[static_cast<std::size_t>(indices[m])];
+  set.resistance = set.markers.layers(normals);
+  for (double& r : set.resistance) r /= 2 * viscosity;
 }
 
 void DirectForcing::set_velocities(std::span<const Vec3> velocities, MarkerGroup group) {
@@ -36,6 +49,8 @@ void DirectForcing::set_velocities(std::span<const Vec3> velocities, MarkerGroup
 void DirectForcing::apply(const Substep& substep, double dt, View<FaceX> u, View<FaceY> v, View<FaceZ> w) {
   if (substep.index == 0)
     for (Set& set : sets_) set.impulse.assign(set.markers.padded_size());
+  for (Set& set : sets_)
+    if (set.complete) set.along.assign(set.normals.size(), Vec3{});
   for (int n = 0; n < iterations_; ++n) {
     if (n > 0) refill_ghosts(u, v, w);
     force_once(substep.alpha * density_, substep.alpha * dt, u, v, w);
@@ -44,7 +59,9 @@ void DirectForcing::apply(const Substep& substep, double dt, View<FaceX> u, View
 
 void DirectForcing::force_once(double weight, double dt_alpha, View<FaceX> u, View<FaceY> v, View<FaceZ> w) {
   fields_.clear();
-  for (Set& set : sets_) force_set(set, weight, dt_alpha, u, v, w);
+  for (Set& set : sets_)
+    if (set.complete) force_sheets(set, weight, dt_alpha, u, v, w);
+    else force_set(set, weight, dt_alpha, u, v, w);
   fields_.gather();
   fields_.add_to(dt_alpha, u, v, w);
 }
@@ -64,6 +81,35 @@ void DirectForcing::force_set(Set& set, double weight, double dt_alpha, View<Fac
     }
     spread(set.markers, block, set.found, fields_);
   });
+}
+
+// What acts along a sheet and what across it are mixtures of components, which may be found on two ranks.
+void DirectForcing::force_sheets(Set& set, double weight, double dt_alpha, View<FaceX> u, View<FaceY> v,
+                                 View<FaceZ> w) {
+  const double factor = 1 / dt_alpha;
+  const auto indices = set.markers.indices();
+  interpolate(set.markers, u, v, w, set.found);
+  std::fill(set.whole.begin(), set.whole.end(), Vec3{});
+  for (int c = 0; c < 3; ++c) {
+    const auto share = set.markers.share(c);
+    for (std::size_t m = 0; m < indices.size(); ++m)
+      if (share[m] != 0) set.whole[static_cast<std::size_t>(indices[m])][c] = set.found[c][m];
+  }
+  set.complete(set.whole);
+  for (std::size_t m = 0; m < indices.size(); ++m) {
+    const Vec3 n = set.normals[m], wanted{set.wanted[0][m], set.wanted[1][m], set.wanted[2][m]};
+    Vec3 force = factor * (wanted - set.whole[static_cast<std::size_t>(indices[m])]);
+    if (const double r = factor * set.resistance[m]; r > 0) {
+      const Vec3 across = dot(force, n) * n, along = (force - across - r * set.along[m]) / (1 + r);
+      set.along[m] += along;
+      force = across + along;
+    }
+    for (int c = 0; c < 3; ++c) {
+      set.found[c][m] = force[c];
+      set.impulse[c][m] += weight * set.markers.volume(c)[m] * force[c];
+    }
+  }
+  set.markers.for_each_block([&](const StencilBlock& block) { spread(set.markers, block, set.found, fields_); });
 }
 
 // Supports hold no ghosts of bounded sides, so that the copies between ranks and periodic sides are all they need.

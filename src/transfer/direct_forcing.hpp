@@ -1,4 +1,6 @@
 #pragma once
+#include <functional>
+
 #include "flow/flow_solver.hpp"
 #include "transfer/force_fields.hpp"
 #include "transfer/interpolate.hpp"
@@ -13,6 +15,14 @@ enum class MarkerGroup { fixed, moving };
 ///   F = (V - U) / (alpha dt) at the markers, spread to the nodes: u += alpha dt f,
 ///
 /// V the wanted and U the interpolated velocity; repeated `iterations` times (multi-direct forcing).
+///
+/// Sheets have fluid on both sides. Their force is spread over a layer, as their velocity is interpolated from one, so
+/// that a flow u = V + a|y| along a thin sheet is seen as V + a d by its markers, d = sum_ij phi_i phi_j |y_i - y_j|:
+/// with U = V it would be at rest d outside on either side, as at a plate 2 d thick. As a unit of area takes the force
+/// 2 nu a from the flow, U = V - d/(2 nu) h F is what is asked for, of the components along the sheet:
+///
+///   F <- F + ((V - U)/(alpha dt) - r F)/(1 + r),   r = d h/(2 nu alpha dt), F: all of this substep.
+///
 /// Results are the same bits at every run; on other numbers of ranks they differ by round-off.
 class DirectForcing {
  public:
@@ -23,6 +33,13 @@ class DirectForcing {
   /// RunError if a marker is outside the box. Sets the group's forces to zero.
   void place(std::span<const Vec3> positions, std::span<const double> areas, std::span<const Vec3> velocities,
              MarkerGroup group = MarkerGroup::moving);
+  /// Sums what the ranks know of the group's markers, by the caller's index, and tells it to all that hold them:
+  /// PointRouter::collect, then send.
+  using Completion = std::function<void(std::vector<Vec3>&)>;
+  /// Which of the group's markers, as they were placed, are those of thin sheets: unit normals, zero for all others.
+  /// Until the group is placed anew. Collective in that all ranks call it or none.
+  void set_sheets(std::span<const Vec3> normals, double viscosity, Completion complete,
+                  MarkerGroup group = MarkerGroup::moving);
   /// New wanted velocities of the same markers, in the caller's order.
   void set_velocities(std::span<const Vec3> velocities, MarkerGroup group = MarkerGroup::moving);
 
@@ -52,13 +69,20 @@ class DirectForcing {
 
  private:
   struct Set {
+    explicit Set(const Grid& grid) : markers(grid) {}
     Markers markers;
     MarkerVectors wanted, found, impulse;  // impulse: mean force on the fluid over the step
+    Completion complete;                   // of a group with sheets
+    std::vector<Vec3> normals;             // in working order
+    std::vector<Vec3> along;               // force along the sheet so far in this substep
+    std::vector<double> resistance;        // d h/(2 nu), a time; 0: not of a sheet
+    std::vector<Vec3> whole;               // by the caller's index
   };
   Set& set_of(MarkerGroup group) { return sets_[static_cast<std::size_t>(group)]; }
   const Set& set_of(MarkerGroup group) const { return sets_[static_cast<std::size_t>(group)]; }
   void force_once(double weight, double dt_alpha, View<FaceX> u, View<FaceY> v, View<FaceZ> w);
   void force_set(Set& set, double weight, double dt_alpha, View<FaceX> u, View<FaceY> v, View<FaceZ> w);
+  void force_sheets(Set& set, double weight, double dt_alpha, View<FaceX> u, View<FaceY> v, View<FaceZ> w);
   void refill_ghosts(View<FaceX> u, View<FaceY> v, View<FaceZ> w);
 
   Grid grid_;

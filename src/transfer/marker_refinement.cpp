@@ -35,6 +35,30 @@ Vec3 combine(Vec3 w, const Face& face, std::span<const Vec3> values) {
          w.z * values[static_cast<std::size_t>(face[2])];
 }
 
+/// A border edge, and the direction away from it within its face.
+struct Border {
+  Vec3 start, end, inwards;
+};
+
+std::vector<Border> borders_of(const TriangleMesh& mesh, std::span<const Vec3> positions) {
+  std::vector<Border> borders;
+  const auto at = [&](int v) { return positions[static_cast<std::size_t>(v)]; };
+  for (std::size_t e = 0; e < mesh.faces_of_edge().size(); ++e) {
+    const auto faces = mesh.faces_of_edge()[e];
+    if (faces[1] >= 0) continue;
+    const auto ends = mesh.vertices_of_edge()[e];
+    const Vec3 normal = face_vector(mesh.vertices_of_face()[static_cast<std::size_t>(faces[0])], positions);
+    borders.push_back({at(ends[0]), at(ends[1]), normalized(cross(normal, at(ends[1]) - at(ends[0])))});
+  }
+  return borders;
+}
+
+double distance_from(const Border& border, Vec3 x) {
+  const Vec3 along = border.end - border.start;
+  const double part = std::clamp(dot(x - border.start, along) / dot(along, along), 0.0, 1.0);
+  return norm(x - border.start - part * along);
+}
+
 }  // namespace
 
 int refinement_for(double longest_edge, double spacing) {
@@ -97,6 +121,9 @@ void MarkerLayout::build(const TriangleMesh& mesh, std::span<const int> parts) {
 }
 
 Vec3 MarkerLayout::weights(int marker) const {
+  const auto moved = std::lower_bound(moved_.begin(), moved_.end(), static_cast<std::size_t>(marker),
+                                      [](const Moved& m, std::size_t of) { return m.marker < of; });
+  if (moved != moved_.end() && moved->marker == static_cast<std::size_t>(marker)) return moved->weights;
   const int face = face_of(marker);
   return pattern_of(static_cast<std::size_t>(face)).weights[static_cast<std::size_t>(marker - first_marker(face))];
 }
@@ -139,16 +166,52 @@ void MarkerLayout::place_inside(std::span<const Vec3> positions, std::span<const
   }
 }
 
+void MarkerLayout::draw_in(const TriangleMesh& mesh, std::span<const Vec3> positions, double length) {
+  moved_.clear();
+  const double reach = 10 * length;
+  const auto borders = borders_of(mesh, positions);
+  std::vector<Border> near;
+  for (std::size_t f = 0; f < faces_.size(); ++f) {
+    const Face& face = faces_[f];
+    const auto corner = [&](std::size_t k) { return positions[static_cast<std::size_t>(face[k % 3])]; };
+    const Vec3 middle = (corner(0) + corner(1) + corner(2)) / 3;
+    const double radius = std::max({norm(corner(0) - middle), norm(corner(1) - middle), norm(corner(2) - middle)});
+    near.clear();
+    for (const Border& border : borders)
+      if (distance_from(border, middle) < reach + radius) near.push_back(border);
+    if (near.empty()) continue;
+    const Vec3 vector = face_vector(face, positions), scaled = vector / dot(vector, vector);
+    const auto& weights = pattern_of(f).weights;
+    for (std::size_t n = 0; n < weights.size(); ++n) {
+      const Vec3 x = combine(weights[n], face, positions);
+      const auto nearest = std::min_element(near.begin(), near.end(), [&](const Border& a, const Border& b) {
+        return distance_from(a, x) < distance_from(b, x);
+      });
+      const Vec3 shift = std::max(0.0, length - distance_from(*nearest, x) / 10) * nearest->inwards;
+      Vec3 moved = weights[n];
+      for (int k = 0; k < 3; ++k) {
+        const auto next = static_cast<std::size_t>(k) + 1;
+        moved[k] += dot(cross(scaled, corner(next + 1) - corner(next)), shift);
+      }
+      moved_.push_back({static_cast<std::size_t>(first_marker_[f]) + n, moved});
+    }
+  }
+}
+
 void MarkerLayout::interpolate(std::span<const Vec3> of_vertices, std::span<Vec3> at_markers) const {
   std::size_t m = 0;
   for (std::size_t f = 0; f < faces_.size(); ++f)
     for (Vec3 w : pattern_of(f).weights) at_markers[m++] = combine(w, faces_[f], of_vertices);
+  for (const auto& [marker, w] : moved_)
+    at_markers[marker] = combine(w, faces_[static_cast<std::size_t>(face_of_marker_[marker])], of_vertices);
 }
 
 void MarkerLayout::add_to_vertices(std::span<const Vec3> marker_forces, std::span<Vec3> vertex_forces) const {
   std::size_t m = 0;
+  auto moved = moved_.begin();
   for (std::size_t f = 0; f < faces_.size(); ++f)
     for (Vec3 w : pattern_of(f).weights) {
+      if (moved != moved_.end() && moved->marker == m) w = (moved++)->weights;
       const Vec3 force = marker_forces[m++];
       for (int k = 0; k < 3; ++k)
         vertex_forces[static_cast<std::size_t>(faces_[f][static_cast<std::size_t>(k)])] += w[k] * force;

@@ -59,6 +59,10 @@ class MarkerLayout {
   void place_inside(std::span<const Vec3> positions, std::span<const Vec3> velocities, double retraction,
                     MarkerSet& markers) const;
 
+  /// Moves the markers of an open surface away from its borders, within their faces' planes, from then on: by a length
+  /// at a border, by less farther away, by nothing from ten times that length on. Areas stay.
+  void draw_in(const TriangleMesh& mesh, std::span<const Vec3> positions, double length);
+
   /// Values of vertices (accelerations, say) at the markers; n_markers of them.
   void interpolate(std::span<const Vec3> of_vertices, std::span<Vec3> at_markers) const;
 
@@ -77,7 +81,13 @@ class MarkerLayout {
     return patterns_[static_cast<std::size_t>(pattern_of_face_[face])];
   }
 
+  struct Moved {
+    std::size_t marker = 0;
+    Vec3 weights;
+  };
+
   std::vector<Face> faces_;
+  std::vector<Moved> moved_;       // those that do not stand where their pattern says; ascending
   std::vector<Pattern> patterns_;  // one for each n in use
   std::vector<int> pattern_of_face_, first_marker_, face_of_marker_;
 };

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/error.hpp"
 
@@ -10,6 +11,24 @@ namespace pliant {
 namespace {
 
 constexpr int block = 4;  // cells along its edges
+
+/// How likely two nodes drawn with the values of a stencil as probabilities are to be neighbours in one order; that
+/// they are two spacings apart is below 1e-3 and left out. Stencils shifted away from a side have no probabilities.
+double chance_of_neighbours(const StencilNumbers& value, int lane) {
+  return std::clamp(value[0][lane] * value[1][lane] + value[1][lane] * value[2][lane], 0.0, 0.25);
+}
+
+/// Mean |sum_c steps_c| where each step is taken forwards or backwards, or not at all.
+double mean_distance(const std::array<double, 3>& steps, const std::array<double, 3>& chances) {
+  double sum = 0;
+  for (int a = -1; a <= 1; ++a)
+    for (int b = -1; b <= 1; ++b)
+      for (int c = -1; c <= 1; ++c) {
+        const auto chance = [&](int taken, std::size_t d) { return taken == 0 ? 1 - 2 * chances[d] : chances[d]; };
+        sum += chance(a, 0) * chance(b, 1) * chance(c, 2) * std::abs(a * steps[0] + b * steps[1] + c * steps[2]);
+      }
+  return sum;
+}
 
 }  // namespace
 
@@ -90,6 +109,30 @@ void Markers::sort_by_blocks() {
   }
   positions_.swap(sorted_positions_);
   indices_.swap(sorted_indices_);
+}
+
+std::vector<double> Markers::layers(std::span<const Vec3> normals) const {
+  constexpr std::array<std::array<StencilLine, 3>, 3> lines{
+      {{x_face, y_center, z_center}, {x_center, y_face, z_center}, {x_center, y_center, z_face}}};
+  std::vector<double> layers(static_cast<std::size_t>(size()), 0.0);
+  for (int b = 0; b < n_batches(); ++b) {
+    const StencilBatch stencils = raw_stencils(b);
+    for (int l = 0; l < count(b); ++l) {
+      const std::size_t m = static_cast<std::size_t>(b) * mls_batch + static_cast<std::size_t>(l);
+      const Vec3 normal = normals[static_cast<std::size_t>(indices_[m])];
+      if (dot(normal, normal) == 0) continue;
+      const double dz = grid().global_dz_c()[grid().plane_of_height(positions_[m].z)];
+      const std::array<double, 3> steps{normal.x * grid().dx(), normal.y * grid().dy(), normal.z * dz};
+      for (int c = 0; c < 3; ++c) {
+        std::array<double, 3> chances{};
+        for (std::size_t d = 0; d < 3; ++d)
+          chances[d] = chance_of_neighbours(stencils.value[lines[static_cast<std::size_t>(c)][d]], l);
+        layers[m] += 0.5 * (1 - normal[c] * normal[c]) * mean_distance(steps, chances);
+      }
+      layers[m] *= (grid().dx() + grid().dy() + dz) / 3;
+    }
+  }
+  return layers;
 }
 
 StencilBatch Markers::raw_stencils(int batch) const {

@@ -63,6 +63,11 @@ class Markers {
   /// c = A h / sum_k phi_k dV_k, which makes the spread force whole; 0 where the share is.
   std::span<const double> spreading(int component) const { return parts_[component == 2].spreading; }
 
+  /// d h of markers with unit normals n, by the caller's index, in working order; 0 where n is the zero vector. h: mean
+  /// spacing; d: how thick the layer is through which a sheet acts, sum_ij phi_i phi_j |n.(x_i - x_j)|, as the mean of
+  /// the components along the sheet. Does not depend on the rank.
+  std::vector<double> layers(std::span<const Vec3> normals) const;
+
   /// visit(block) for blocks of stencils that cover all markers, in working order.
   template <class Visit>
   void for_each_block(Visit visit) const {

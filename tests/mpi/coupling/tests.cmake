@@ -7,3 +7,5 @@ pliant_test(coupling_schemes_test SOURCES ${CMAKE_CURRENT_LIST_DIR}/schemes_test
 pliant_test(aitken_test SOURCES ${CMAKE_CURRENT_LIST_DIR}/aitken_test.cpp LIBS pliant_coupling RANKS 1 2 3 4)
 pliant_test(hinge_coupling_test SOURCES ${CMAKE_CURRENT_LIST_DIR}/hinge_coupling_test.cpp LIBS pliant_simulation RANKS 1 2 3 4)
 target_include_directories(hinge_coupling_test PRIVATE ${CMAKE_SOURCE_DIR}/tests)
+pliant_test(coupling_sheet_test SOURCES ${CMAKE_CURRENT_LIST_DIR}/sheet_test.cpp LIBS pliant_simulation RANKS 1 3)
+target_include_directories(coupling_sheet_test PRIVATE ${CMAKE_SOURCE_DIR}/tests)

@@ -7,6 +7,7 @@
 #include "core/error.hpp"
 #include "mesh/geometry.hpp"
 #include "mesh/shapes/icosphere.hpp"
+#include "mesh/shapes/plate.hpp"
 
 namespace pliant {
 namespace {
@@ -109,6 +110,38 @@ TEST(MarkerLayout, PlacesMarkersInsideThatMoveWithTheBody) {
     EXPECT_LT(norm(in.velocities[m] - (Vec3{1, 2, 3} + cross(omega, in.positions[m]))), 1e-13);
     EXPECT_EQ(in.areas[m], on.areas[m]);
   }
+}
+
+TEST(MarkerLayout, DrawsMarkersInFromBorders) {
+  auto plate = make_plate(3, 2, 0.3);
+  const auto turned = [](Vec3 x) { return Vec3{1 + x.x + 0.5 * x.y, x.y - 0.5 * x.x, 2 * x.x}; };
+  MarkerLayout layout(plate.mesh, 2);
+  MarkerSet on, in;
+  layout.place(plate.positions, plate.positions, on);
+  layout.draw_in(plate.mesh, plate.positions, 0.05);
+  layout.place(plate.positions, plate.positions, in);
+  for (std::size_t m = 0; m < on.positions.size(); ++m) {
+    const Vec3 x = on.positions[m], shift = in.positions[m] - x;
+    const double distance = std::min(1.5 - std::abs(x.x), 1 - std::abs(x.y));
+    EXPECT_NEAR(norm(shift), std::max(0.0, 0.05 - distance / 10), 1e-14);
+    const double drawn = std::min(1.5 - std::abs(in.positions[m].x), 1 - std::abs(in.positions[m].y));
+    if (std::abs(1.5 - std::abs(x.x) - 1 + std::abs(x.y)) > 0.1) { EXPECT_NEAR(drawn, distance + norm(shift), 1e-14); }
+    EXPECT_EQ(in.areas[m], on.areas[m]);
+  }
+  // As part of the surface: they go where it goes, and give their forces to the same vertices.
+  std::vector<Vec3> moved;
+  for (Vec3 x : plate.positions) moved.push_back(turned(x));
+  layout.place(moved, moved, on);
+  Vec3 torque;
+  std::vector<Vec3> forces, on_vertices(moved.size());
+  for (std::size_t m = 0; m < on.positions.size(); ++m) {
+    EXPECT_LT(norm(on.positions[m] - turned(in.positions[m])), 1e-14);
+    forces.push_back(wavy(m));
+    torque += cross(on.positions[m], forces[m]);
+  }
+  layout.add_to_vertices(forces, on_vertices);
+  for (std::size_t v = 0; v < moved.size(); ++v) torque -= cross(moved[v], on_vertices[v]);
+  EXPECT_LT(norm(torque), 1e-11);
 }
 
 TEST(MarkerLayout, ReturnsForceAndTorqueWhole) {
