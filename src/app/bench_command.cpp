@@ -28,9 +28,11 @@ const char* word_of(ViscousMode mode) {
 }
 
 struct Timing {
+  Sweeps sweeps;
   std::vector<double> seconds_per_step;  // of each repetition, the slowest rank
   std::map<std::string, double> phase_share;
   double bytes_per_cell = 0, divergence = 0;
+  std::vector<double> messages, bytes;  // sent in a substep, by rank
 };
 
 Timing time_steps(const BenchOptions& options, const Communicator& ranks) {
@@ -55,6 +57,7 @@ Timing time_steps(const BenchOptions& options, const Communicator& ranks) {
   solver.timer().reset();
 
   Timing timing;
+  const Traffic before = grid.ranks().traffic();
   for (int r = 0; r < options.repeats; ++r) {
     ranks.barrier();
     const auto start = std::chrono::steady_clock::now();
@@ -62,11 +65,22 @@ Timing time_steps(const BenchOptions& options, const Communicator& ranks) {
     const double mine = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     timing.seconds_per_step.push_back(ranks.max(mine) / options.steps);
   }
+  const Traffic after = grid.ranks().traffic();
+  const double substeps = 3.0 * options.steps * options.repeats;
+  const auto of_all = [&](long mine) {
+    std::vector<double> values(static_cast<std::size_t>(ranks.size()));
+    values[static_cast<std::size_t>(ranks.rank())] = static_cast<double>(mine) / substeps;
+    ranks.sum(values);
+    return values;
+  };
+  timing.messages = of_all(after.messages - before.messages);
+  timing.bytes = of_all(after.bytes - before.bytes);
   double total = 0;
   for (const auto& [phase, seconds] : solver.timer().seconds()) total += timing.phase_share[phase] = ranks.max(seconds);
   for (auto& [phase, share] : timing.phase_share) share /= total;
   const double cells = 1.0 * options.cells[0] * options.cells[1] * options.cells[2];
   timing.bytes_per_cell = ranks.sum(static_cast<double>(solver.bytes())) / cells;
+  timing.sweeps = sweeps_in_use(options.sweeps, options.cells[2], grid.is_periodic(2), ranks.size());
   timing.divergence = solver.largest_divergence();
   return timing;
 }
@@ -95,6 +109,11 @@ int run_bench_flow(const BenchOptions& options) {
   const double triad = 0.5 * (triad_before + triad_after);
   const double doubles = median * triad / 8;
 
+  const auto largest = [](const std::vector<double>& values) {
+    return *std::max_element(values.begin(), values.end());
+  };
+  const char* sweeps = timing.sweeps == Sweeps::fused ? "fused" : "plain";
+
   if (options.format == ReportFormat::json) {
     nlohmann::ordered_json report;
     report["cells"] = options.cells;
@@ -112,16 +131,23 @@ int run_bench_flow(const BenchOptions& options) {
     report["bytes_per_cell"] = timing.bytes_per_cell;
     report["largest_divergence"] = timing.divergence;
     report["phase_share"] = timing.phase_share;
+    report["messages_per_substep"] = timing.messages;
+    report["bytes_per_substep"] = timing.bytes;
+    report["sweeps"] = sweeps;
     report["compiler"] = build_info().compiler;
     report["flags"] = build_info().flags;
     fmt::print("{}\n", report.dump(2));
     return exit_success;
   }
-  fmt::print("{} x {} x {} cells, {}, {} rank{}: {:.1f} ns a cell and step ({:.1f} to {:.1f} over {} repeats)\n",
-             options.cells[0], options.cells[1], options.cells[2], word_of(options.viscous), ranks.size(),
-             ranks.size() == 1 ? "" : "s", median, ns(sorted.front()), ns(sorted.back()), options.repeats);
+  fmt::print(
+      "{} x {} x {} cells, {}, {} sweeps, {} rank{}: {:.1f} ns a cell and step ({:.1f} to {:.1f} over {} repeats)\n",
+      options.cells[0], options.cells[1], options.cells[2], word_of(options.viscous), sweeps, ranks.size(),
+      ranks.size() == 1 ? "" : "s", median, ns(sorted.front()), ns(sorted.back()), options.repeats);
   fmt::print("triad {:.1f} GB/s (before {:.1f}, after {:.1f}): {:.0f} doubles a cell and step, {:.0f} bytes a cell\n",
              triad, triad_before, triad_after, doubles, timing.bytes_per_cell);
+  if (ranks.size() > 1)
+    fmt::print("a rank sends at most {:.0f} messages and {:.4g} MB in a substep\n", largest(timing.messages),
+               largest(timing.bytes) / 1e6);
   for (const auto& [phase, share] : timing.phase_share) fmt::print("  {:<28} {:5.1f} %\n", phase, 100 * share);
   return exit_success;
 }

@@ -101,7 +101,8 @@ int calibrate(const CalibrateArguments& arguments, const Communicator& ranks) {
   const auto end = simulation.run([&](const Simulation& now) { samples.push_back(sample(now, id)); });
   if (end.end == RunEnd::signal) return end.exit_code();
   const double begin = arguments.average_from.value_or(0.5 * end.time);
-  auto result = calibrate_shear(samples, begin, config.fluid.viscosity, rate, simulation.bodies().kinds()[body].prototype.radius);
+  auto result =
+      calibrate_shear(samples, begin, config.fluid.viscosity, rate, simulation.bodies().kinds()[body].prototype.radius);
   result.body = config.bodies[body].name;
   if (ranks.is_root()) arguments.style == ReportStyle::json ? print_json(result) : print_text(result);
   return exit_success;

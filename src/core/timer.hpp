@@ -1,7 +1,9 @@
 #pragma once
 #include <chrono>
+#include <functional>
 #include <map>
 #include <string>
+#include <string_view>
 
 namespace pliant {
 
@@ -9,6 +11,7 @@ namespace pliant {
 class PhaseTimer {
  public:
   using Clock = std::chrono::steady_clock;
+  using Seconds = std::map<std::string, double, std::less<>>;
 
   /// Adds the time of its own life to a phase.
   class Scope {
@@ -25,8 +28,12 @@ class PhaseTimer {
   };
 
   Scope measure(const char* phase) { return Scope(*this, phase); }
-  void add(const std::string& phase, double seconds) { seconds_[phase] += seconds; }
-  const std::map<std::string, double>& seconds() const { return seconds_; }
+  void add(std::string_view phase, double seconds) {
+    const auto found = seconds_.find(phase);
+    if (found != seconds_.end()) found->second += seconds;
+    else seconds_.emplace(phase, seconds);
+  }
+  const Seconds& seconds() const { return seconds_; }
   double total() const {
     double sum = 0;
     for (const auto& [phase, s] : seconds_) sum += s;
@@ -35,7 +42,7 @@ class PhaseTimer {
   void reset() { seconds_.clear(); }
 
  private:
-  std::map<std::string, double> seconds_;
+  Seconds seconds_;
 };
 
 }  // namespace pliant

@@ -19,7 +19,9 @@ constexpr std::array<double, 3> rk_rho{0, -17.0 / 60, -5.0 / 12};
 constexpr double real_axis_limit = 2.5127;
 
 std::unique_ptr<FlowSweeps> make_sweeps(FlowParts& parts) {
-  if (sweeps_in_use(parts.parameters.sweeps, parts.grid) == Sweeps::fused) return std::make_unique<FusedSweeps>(parts);
+  const auto& grid = parts.grid;
+  const auto sweeps = sweeps_in_use(parts.parameters.sweeps, grid.cells()[2], grid.is_periodic(2), grid.ranks().size());
+  if (sweeps == Sweeps::fused) return std::make_unique<FusedSweeps>(parts);
   return std::make_unique<PlainSweeps>(parts);
 }
 
@@ -241,8 +243,10 @@ Vec3 FlowSolver::bulk_velocity() const {
 
 std::size_t FlowSolver::bytes() const { return impl_->FlowParts::bytes() + impl_->sweeps->bytes(); }
 
-Sweeps sweeps_in_use(Sweeps wanted, const Grid& grid) {
-  return wanted == Sweeps::fused && FusedSweeps::serves(grid) ? Sweeps::fused : Sweeps::plain;
+Sweeps sweeps_in_use(Sweeps wanted, int planes_in_z, bool is_periodic_in_z, int ranks) {
+  const bool coupled = is_periodic_in_z || ranks > 1;
+  const bool served = !coupled || planes_in_z / ranks >= PoissonPlanes::least_planes;
+  return wanted == Sweeps::fused && served ? Sweeps::fused : Sweeps::plain;
 }
 
 double viscous_step_limit(const Grid& grid, double kinematic_viscosity, ViscousMode mode) {

@@ -142,8 +142,8 @@ inline constexpr double largest_stable_cfl = 1.7320508;
 /// profile.
 void set_initial_flow(FlowSolver& solver, const InitialConfig& initial);
 
-/// Those that a flow on this grid uses when it is asked for `wanted`. The same on all ranks.
-Sweeps sweeps_in_use(Sweeps wanted, const Grid& grid);
+/// Those that a flow uses when it is asked for `wanted`: where slabs hang together, fused sweeps need two planes each.
+Sweeps sweeps_in_use(Sweeps wanted, int planes_in_z, bool is_periodic_in_z, int ranks);
 
 /// The time-step limit of the explicitly treated viscous terms, without building a solver; infinity if none are.
 double viscous_step_limit(const Grid& grid, double kinematic_viscosity, ViscousMode mode);

@@ -91,11 +91,6 @@ FusedSweeps::FusedSweeps(FlowParts& parts)
       v_(parts.grid, 3),
       w_(parts.grid, 3) {}
 
-bool FusedSweeps::serves(const Grid& grid) {
-  const bool coupled = grid.is_periodic(2) || grid.ranks().size() > 1;
-  return !coupled || grid.cells()[2] / grid.ranks().size() >= PoissonPlanes::least_planes;
-}
-
 // A correction that is left to the next sweep needs the predicted velocity of the neighbours' end planes.
 GhostPlanes FusedSweeps::wanted_ends() const {
   return parts_.poisson.is_coupled() && !parts_.open.any() ? GhostPlanes::both : GhostPlanes::lower;

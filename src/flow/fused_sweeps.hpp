@@ -16,9 +16,8 @@ namespace pliant {
 /// ARCHITECTURE.md draws both sweeps.
 class FusedSweeps : public FlowSweeps {
  public:
+  /// sweeps_in_use() says where this is possible.
   explicit FusedSweeps(FlowParts& parts);
-  /// Where slabs hang together each needs two planes.
-  static bool serves(const Grid& grid);
 
   void predict(const Substep& s, const MomentumFactors& factors, double dt) override;
   VelocityFields predicted() override { return parts_.state_velocity(); }

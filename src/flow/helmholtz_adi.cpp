@@ -83,12 +83,16 @@ void HelmholtzAdi::end_plane(double* plane, const double* before, const OldPlane
   const int nx = grid_.nx(), ny = grid_.ny(), n = y_.unknowns();
   const bool in_plane = directions_ == Directions::all;
   if (in_plane && n > 0) y_.turn(plane + (n - 1) * stride_, nx, work_.data());
-  for (int j = ny - 1; j >= 0; --j) {
-    double* row = plane + j * stride_;
-    if (in_plane && j < n) y_.backward_row(j, row, row + stride_, nx, work_.data());
-    add_z_changes(row, j, k);
-    const std::ptrdiff_t at = j * old.stride;
-    z_.eliminate_row_added(k, j, row, before + j * stride_, old.below + at, old.here + at, old.above + at);
+  // A row is wanted by the y line below it, so it enters the z lines one row later.
+  for (int j = ny - 1; j >= -1; --j) {
+    if (in_plane && j >= 0 && j < n)
+      y_.backward_row(j, plane + j * stride_, plane + (j + 1) * stride_, nx, work_.data());
+    const int done = j + 1;
+    if (done == ny) continue;
+    double* row = plane + done * stride_;
+    const std::ptrdiff_t at = done * old.stride;
+    add_z_changes(row, done, k);
+    z_.eliminate_row_added(k, done, row, before + done * stride_, old.below + at, old.here + at, old.above + at);
   }
 }
 

@@ -9,8 +9,7 @@
 namespace pliant {
 
 DivergenceRows::DivergenceRows(const Grid& grid, ConstView<FaceX> u, ConstView<FaceY> v, ConstView<FaceZ> w,
-                               double scale,
-                               Plane<Center> out, int k)
+                               double scale, Plane<Center> out, int k)
     : u_(u.at_plane(k)),
       v_(v.at_plane(k)),
       w_(w.at_plane(k)),

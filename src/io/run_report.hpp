@@ -1,10 +1,10 @@
 #pragma once
 #include <filesystem>
-#include <map>
 #include <string>
 
 #include "config/case_config.hpp"
 #include "config/value_codec.hpp"
+#include "core/timer.hpp"
 #include "parallel/communicator.hpp"
 
 namespace pliant {
@@ -13,9 +13,9 @@ namespace pliant {
 struct RunStatus {
   std::string status;  ///< "running", "finished", "stopped by signal 15", "failed: ..."
   long steps = 0;
-  double time = 0;                          ///< of the simulation
-  double wall_seconds = 0;                  ///< of the run so far
-  std::map<std::string, double> seconds{};  ///< by phase, the largest of the ranks
+  double time = 0;                ///< of the simulation
+  double wall_seconds = 0;        ///< of the run so far
+  PhaseTimer::Seconds seconds{};  ///< by phase, the largest of the ranks
 };
 
 /// OUT/run.json: what ran, with what, how long, and how it ended. Not collective: the root alone has one.

@@ -41,6 +41,7 @@ void SlabHalo::fill(std::initializer_list<PlaneStack> stacks, GhostPlanes which)
                 "MPI_Irecv");
     };
     const auto send = [&](const double* from, int to, int t) {
+      if (to != MPI_PROC_NULL) ranks_.count_message(s.size);
       check_mpi(MPI_Isend(from, count, MPI_DOUBLE, to, t, ranks_.handle(), &requests[static_cast<std::size_t>(n++)]),
                 "MPI_Isend");
     };
@@ -71,6 +72,8 @@ void SlabHalo::accumulate(std::initializer_list<PlaneStack> stacks) {
   for (const auto& s : stacks) {
     const int count = static_cast<int>(s.size);
     const auto next = [&] { return &requests[static_cast<std::size_t>(n++)]; };
+    for (const int to : {below_, above_})
+      if (to != MPI_PROC_NULL) ranks_.count_message(s.size);
     check_mpi(MPI_Irecv(buffer, count, MPI_DOUBLE, below_, tag + 1, ranks_.handle(), next()), "MPI_Irecv");
     check_mpi(MPI_Irecv(buffer + s.size, count, MPI_DOUBLE, above_, tag, ranks_.handle(), next()), "MPI_Irecv");
     check_mpi(MPI_Isend(s.first - s.stride, count, MPI_DOUBLE, below_, tag, ranks_.handle(), next()), "MPI_Isend");

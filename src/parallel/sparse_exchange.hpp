@@ -25,8 +25,8 @@ class SparseExchange {
   void backward(std::span<const double> received, int width, std::vector<double>& sent) const;
 
  private:
-  void move(const std::vector<int>& from_begin, std::span<const double> from, const std::vector<int>& to_begin, int width,
-            std::span<double> to) const;
+  void move(const std::vector<int>& from_begin, std::span<const double> from, const std::vector<int>& to_begin,
+            int width, std::span<double> to) const;
 
   Communicator ranks_;
   std::vector<int> send_begin_, receive_begin_;  // items, by rank, and the end

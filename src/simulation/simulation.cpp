@@ -90,7 +90,7 @@ struct Simulation::Impl {
   void keep_good_state();
   std::string write_good_state();
   void report(const std::string& status);
-  std::map<std::string, double> slowest_phases();
+  PhaseTimer::Seconds slowest_phases();
 
   CaseConfig config;
   Communicator ranks;
@@ -476,14 +476,14 @@ void Simulation::Impl::report(const std::string& status) {
   do_on_root(ranks, [&] { run_report->write({status, now.step, now.time, wall, phases}); });
 }
 
-std::map<std::string, double> Simulation::Impl::slowest_phases() {
+PhaseTimer::Seconds Simulation::Impl::slowest_phases() {
   auto mine = timer.seconds();
   for (const auto& [phase, seconds] : flow.timer().seconds()) mine["fluid: " + phase] += seconds;
   for (const auto& [phase, seconds] : coupled->timer().seconds()) mine[phase] += seconds;
   std::string names;
   for (const auto& [phase, seconds] : mine) names += phase + '\n';
   names = ranks.broadcast(names);
-  std::map<std::string, double> slowest;
+  PhaseTimer::Seconds slowest;
   for (std::size_t begin = 0; begin < names.size();) {
     const auto end = names.find('\n', begin);
     const auto phase = names.substr(begin, end - begin);

@@ -60,6 +60,10 @@ void step(FlowSolver& solver, const Flow& flow) {
   else solver.advance(5e-3);
 }
 
+Sweeps in_use(const Grid& grid) {
+  return sweeps_in_use(Sweeps::fused, grid.cells()[2], grid.is_periodic(2), grid.ranks().size());
+}
+
 struct Difference {
   double velocity = 0, pressure = 0;  // largest, over the largest value
   double rate = 0;
@@ -153,7 +157,7 @@ TEST(Sweeps, ThinSlabsAreServed) {
         const Flow flow{
             closed ? walls_along(2) : periodic_box(), {8, 6, planes * ranks.size() + ranks.size() / 2}, mode};
         const Grid grid = make_grid(flow, ranks);
-        ASSERT_EQ(sweeps_in_use(Sweeps::fused, grid), Sweeps::fused);
+        ASSERT_EQ(in_use(grid), Sweeps::fused);
         auto plain = begin(grid, flow, Sweeps::plain), fused = begin(grid, flow, Sweeps::fused);
         for (int s = 0; s < 3; ++s) {
           step(plain, flow);
@@ -167,7 +171,7 @@ TEST(Sweeps, ASlabOfOnePlaneIsLeftToPlainSweeps) {
   const Communicator ranks;
   const Flow flow{periodic_box(), {8, 6, ranks.size()}};
   const Grid grid = make_grid(flow, ranks);
-  EXPECT_EQ(sweeps_in_use(Sweeps::fused, grid), Sweeps::plain);
+  EXPECT_EQ(in_use(grid), Sweeps::plain);
   auto solver = begin(grid, flow, Sweeps::fused);
   step(solver, flow);
   EXPECT_LT(solver.largest_divergence(), 1e-12);
@@ -199,6 +203,33 @@ TEST(Sweeps, LookingChangesNothing) {
           EXPECT_EQ(d.pressure, 0);
           EXPECT_EQ(d.rate, 0);
         }
+}
+
+// What bench/README.md says that a substep sends, message by message and byte by byte.
+TEST(Sweeps, SendWhatTheModelSays) {
+  const Communicator ranks;
+  const int n = ranks.size(), r = ranks.rank();
+  for (const ViscousMode mode : {ViscousMode::explicit_rk3, ViscousMode::implicit})
+    for (const bool closed : {false, true}) {
+      const Flow flow{closed ? walls_along(2) : periodic_box(), {14, 10, 4 * n + 1}, mode};
+      const Grid grid = make_grid(flow, ranks);
+      auto solver = begin(grid, flow, Sweeps::fused);
+      step(solver, flow);
+      const auto before = grid.ranks().traffic();
+      step(solver, flow);
+      const auto after = grid.ranks().traffic();
+
+      const long below = n > 1 && (r > 0 || !closed), above = n > 1 && (r < n - 1 || !closed);
+      const long planes = below * (3 + 2) + above * (3 + 1);  // predicted velocity, pressure increment
+      const auto exchange = [&](long lines) {
+        const long share = lines * (r + 1) / n - lines * r / n;
+        return 2 * (lines - share) + 2 * share * (n - 1);
+      };
+      const int solves = mode == ViscousMode::explicit_rk3 ? 1 : 4;
+      const long doubles = planes * PlaneLayout(grid).plane + exchange(16 * 10) + (solves - 1) * exchange(14 * 10);
+      EXPECT_EQ(after.messages - before.messages, 3 * (planes + solves * 2 * (n - 1)));
+      EXPECT_EQ(after.bytes - before.bytes, 3 * 8 * (n > 1 ? doubles : 0));
+    }
 }
 
 }  // namespace
