@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "transfer/probe_points.hpp"
 #include "transfer/spread.hpp"
 
 namespace pliant {
@@ -121,10 +122,15 @@ void TransferTrial::place_markers() { markers_.place(positions_, areas_); }
 
 void TransferTrial::step() {
   for (int substep = 0; substep < 3; ++substep)
-    markers_.for_each_block([&](const StencilBlock& block) {
-      interpolate(markers_, block, u_.view(), v_.view(), w_.view(), closed_.velocities);
-      spread(markers_, block, closed_.velocities, forces_);
-    });
+    markers_.for_each_block(
+        [&](const StencilBlock& block) {
+          interpolate(markers_, block, u_.view(), v_.view(), w_.view(), closed_.velocities);
+          spread(markers_, block, closed_.velocities, forces_);
+        },
+        [&](const StencilBlock& block) {
+          prefetch(block, u_.view(), v_.view(), w_.view());
+          prefetch(block, forces_.x(), forces_.y(), forces_.z());
+        });
   probe_ends(closed_.probed);
 }
 
@@ -139,30 +145,19 @@ void TransferTrial::step_of_run() {
   sampler_.sample(asked_, samples_);
 }
 
-// Where another rank holds a probe's planes, it reads this one's, whichever: what comes out is not used.
 void TransferTrial::probe_ends(std::vector<double>& probed) {
-  StencilBatch stencils;
-  SlopeBatch slopes;
-  ProbeBatch found;
-  for (std::size_t begin = 0; begin < ends_.size(); begin += mls_batch) {
-    const auto count = static_cast<int>(std::min<std::size_t>(mls_batch, ends_.size() - begin));
-    shape_.evaluate(std::span(ends_).subspan(begin, static_cast<std::size_t>(count)), stencils, slopes);
-    bool center[mls_batch], face[mls_batch];
-    for (int l = 0; l < count; ++l) {
-      center[l] = shape_.is_held(stencils, z_center, l);
-      face[l] = shape_.is_held(stencils, z_face, l);
-      if (!center[l]) stencils.first[z_center][l] = -1;
-      if (!face[l]) stencils.first[z_face][l] = -1;
-    }
-    probe({u_.view(), v_.view(), w_.view(), p_.view()}, stencils, slopes, count, found);
-    for (int l = 0; l < count; ++l) {
-      double* out = probed.data() + n_probed * (begin + static_cast<std::size_t>(l));
-      if (center[l]) out[0] = found.pressure[l];
+  const ProbedFields fields{u_.view(), v_.view(), w_.view(), p_.view()};
+  for_each_probe_batch(shape_, fields, ends_, [&](const ProbedPoints& batch) {
+    ProbeBatch found;
+    probe(fields, batch.stencils, batch.slopes, batch.count, found);
+    for (int l = 0; l < batch.count; ++l) {
+      double* out = probed.data() + n_probed * batch.indices[static_cast<std::size_t>(l)];
+      if (batch.has_center[l]) out[0] = found.pressure[l];
       for (int c = 0; c < 3; ++c)
-        if (c == 2 ? face[l] : center[l])
+        if (c == 2 ? batch.has_face[l] : batch.has_center[l])
           for (int d = 0; d < 3; ++d) out[1 + 3 * c + d] = found.gradient[c][d][l];
     }
-  }
+  });
 }
 
 void TransferTrial::step_marker(const GenericMethod& method, std::size_t m) {

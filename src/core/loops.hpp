@@ -1,4 +1,5 @@
 #pragma once
+#include "core/prefetch.hpp"
 
 /// The one place that knows how a loop over cells or markers runs. Bodies take indices and hold only views and plain
 /// values, so that another machine's loops can stand here.
@@ -17,10 +18,9 @@ inline void for_rows(int n, Body&& body) {
   for (int j = 0; j < n; ++j) body(j);
 }
 
-/// Asks for a row of n doubles that a sweep will want a row later, so that it comes from memory while the present one
-/// is worked on. Never fails.
-inline void prefetch_row(const double* row, int n) {
-  for (int i = 0; i < n; i += 8) __builtin_prefetch(row + i, 1, 2);
+/// Begins to load a row of n doubles that a sweep will want a row later, while it works on the present one.
+[[gnu::always_inline]] inline void prefetch_row(const double* row, int n) {
+  for (int i = 0; i < n; i += 8) prefetch(row + i);
 }
 
 /// body(k) for planes in ascending order: a sweep, in which a plane may use what its forerunner left.

@@ -1,6 +1,10 @@
 #include "field/field.hpp"
 
+#include <sys/mman.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <cstdint>
 #include <cstdlib>
 #include <new>
 #include <utility>
@@ -9,6 +13,19 @@ namespace pliant {
 namespace {
 constexpr std::ptrdiff_t line = 8;  // doubles in a cache line
 std::ptrdiff_t round_up(std::ptrdiff_t n) { return (n + line - 1) / line * line; }
+
+// Markers read rows here and there, and an entry of the page table for every few of them would be as far away as they
+// are. A wish: where large pages are not to be had, nothing changes.
+void ask_for_large_pages(double* memory, std::size_t bytes) {
+#ifdef MADV_HUGEPAGE
+  const auto page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
+  const auto begin = (reinterpret_cast<std::uintptr_t>(memory) + page - 1) / page * page;
+  const auto end = (reinterpret_cast<std::uintptr_t>(memory) + bytes) / page * page;
+  if (begin < end) madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
+#else
+  static_cast<void>(memory), static_cast<void>(bytes);
+#endif
+}
 }  // namespace
 
 void FreeMemory::operator()(double* memory) const { std::free(memory); }
@@ -17,6 +34,7 @@ AlignedDoubles allocate_aligned(std::size_t count) {
   const std::size_t bytes = (count * sizeof(double) + 63) / 64 * 64;
   AlignedDoubles memory(static_cast<double*>(std::aligned_alloc(64, bytes)));
   if (memory == nullptr) throw std::bad_alloc();
+  ask_for_large_pages(memory.get(), bytes);
   std::fill_n(memory.get(), count, 0.0);
   return memory;
 }

@@ -8,10 +8,10 @@ namespace pliant {
 namespace {
 
 Vec3 unit_normal(const ShapeState& shape, std::size_t face) {
-  return shape.inverse_lengths()[face] * shape.face_vectors()[face];
+  return shape.inverse_length(face) * shape.face_vector(face);
 }
 
-double area(const ShapeState& shape, std::size_t face) { return 0.5 / shape.inverse_lengths()[face]; }
+double area(const ShapeState& shape, std::size_t face) { return 0.5 / shape.inverse_length(face); }
 
 /// A third of the area of every face to each of its vertices.
 void add_vertex_areas(const ShapeState& shape, std::span<double> areas) {

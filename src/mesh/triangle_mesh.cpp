@@ -131,6 +131,7 @@ void TriangleMesh::Arrays::build_rings() {
       }
     neighbour_start.push_back(static_cast<int>(neighbours.size()));
   }
+  corners_of_vertex = std::move(corners);
 }
 
 }  // namespace pliant

@@ -42,6 +42,10 @@ class TriangleMesh {
 
   /// Faces around a vertex, counter-clockwise; at a border from the first face of the fan to the last.
   std::span<const int> faces_of_vertex(int v) const { return slice(arrays_->faces_of_vertex, arrays_->face_start, v); }
+  /// The corners at a vertex, 3 f + k for vertex k of face f, ascending.
+  std::span<const int> corners_of_vertex(int v) const {
+    return slice(arrays_->corners_of_vertex, arrays_->face_start, v);
+  }
   /// Neighbours of a vertex, counter-clockwise; at a border one more than faces.
   std::span<const int> neighbours_of_vertex(int v) const { return slice(arrays_->neighbours, arrays_->neighbour_start, v); }
 
@@ -53,7 +57,7 @@ class TriangleMesh {
     std::vector<std::array<int, 3>> edges_of_face;
     std::vector<std::array<int, 2>> vertices_of_edge, faces_of_edge;
     std::vector<std::array<int, 4>> hinge_of_edge;
-    std::vector<int> face_start, faces_of_vertex, neighbour_start, neighbours;
+    std::vector<int> face_start, faces_of_vertex, corners_of_vertex, neighbour_start, neighbours;
 
     int n_faces() const { return static_cast<int>(vertices_of_face.size()); }
     int n_edges() const { return static_cast<int>(vertices_of_edge.size()); }

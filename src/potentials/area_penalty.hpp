@@ -13,6 +13,7 @@ struct FaceAreaPenalty {
   std::vector<double> reference_area;  ///< A0 per face
 
   double energy(const ShapeState& shape) const;
+  void add_stress(const ShapeState& shape, InnerStress& stress) const;
   void add_forces(const ShapeState& shape, std::span<Vec3> forces) const;
 };
 
@@ -23,6 +24,7 @@ struct TotalAreaPenalty {
   double reference_area = 0;  ///< A0
 
   double energy(const ShapeState& shape) const;
+  void add_stress(const ShapeState& shape, InnerStress& stress) const;
   void add_forces(const ShapeState& shape, std::span<Vec3> forces) const;
 };
 

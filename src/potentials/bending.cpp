@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "mesh/geometry.hpp"
+#include "potentials/lane_records.hpp"
 
 namespace pliant {
 
@@ -28,8 +29,8 @@ double Bending::energy(const ShapeState& shape) const {
   for (std::size_t e = 0; e < hinges.size(); ++e) {
     if (hinges[e][3] < 0) continue;
     const Vec3 axis = shape.positions()[hinges[e][1]] - shape.positions()[hinges[e][0]];
-    const Vec3 first = shape.face_vectors()[faces[e][0]], second = shape.face_vectors()[faces[e][1]];
-    const double scale = shape.inverse_lengths()[faces[e][0]] * shape.inverse_lengths()[faces[e][1]];
+    const Vec3 first = shape.face_vector(faces[e][0]), second = shape.face_vector(faces[e][1]);
+    const double scale = shape.inverse_length(faces[e][0]) * shape.inverse_length(faces[e][1]);
     const double cosine = dot(first, second) * scale;
     const double sine = dot(cross(first, second), axis) * scale / norm(axis);
     sum += stiffness[e] * (1.0 - cosine * cosine0[e] - sine * sine0[e]);
@@ -37,37 +38,25 @@ double Bending::energy(const ShapeState& shape) const {
   return sum;
 }
 
-// With N1, N2 the face vectors, e the edge of length L, m_i = N_i / |N_i|^2, vertices 0 1 of the edge, 2 3 opposite:
-// d theta / d x2 = -L m1, d theta / d x3 = -L m2,
-// d theta / d x0 = ((x1 - x2).e m1 + (x1 - x3).e m2) / L, d theta / d x1 = ((x2 - x0).e m1 + (x3 - x0).e m2) / L,
-// and F = -k sin(theta - theta0) d theta / d x with the sine expanded, so that no angle is ever formed.
+// dW/dtheta = k sin(theta - theta0) with the sine expanded, so that no angle is ever formed.
+void Bending::add_stress(const ShapeState& shape, InnerStress& stress) const {
+  for_each_batch(shape.mesh().faces_of_edge(), [&](std::size_t begin, const std::array<int, 2>* faces, int count) {
+    const LaneRecords first = gather_records(shape.face_records(), [&](int l) { return faces[l][0]; });
+    const LaneRecords second = gather_records(shape.face_records(), [&](int l) { return faces[l][faces[l][1] >= 0]; });
+    const auto along = [&](int c) { return load_lanes(shape.edge_vectors(c) + begin); };
+    const LaneVec axis = {along(0), along(1), along(2)};
+    const Lanes inverse_length = load_lanes(shape.inverse_edge_lengths() + begin);
+    const LaneVec n1 = first.number * first.vector, n2 = second.number * second.vector;
+    const Lanes cosine = dot(n1, n2), sine = dot(cross(n1, n2), axis) * inverse_length;
+    const auto of_edges = [&](const std::vector<double>& all) { return load_lanes(all.data() + begin, count); };
+    const Lanes sine_from_rest = sine * of_edges(cosine0) - cosine * of_edges(sine0);
+    double* moment = stress.moment.data() + begin;
+    store(load_lanes(moment) + of_edges(stiffness) * sine_from_rest * inverse_length, moment);
+  });
+}
+
 void Bending::add_forces(const ShapeState& shape, std::span<Vec3> forces) const {
-  const auto hinges = shape.mesh().hinge_of_edge();
-  const auto faces = shape.mesh().faces_of_edge();
-  const auto positions = shape.positions();
-  const auto face_vectors = shape.face_vectors();
-  const auto inverse_lengths = shape.inverse_lengths();
-  for (std::size_t e = 0; e < hinges.size(); ++e) {
-    const auto [a, b, c, d] = hinges[e];
-    if (d < 0) continue;
-    const auto [face1, face2] = faces[e];
-    const Vec3 origin = positions[a];
-    const Vec3 axis = positions[b] - origin, to_c = positions[c] - origin, to_d = positions[d] - origin;
-    const double length_squared = dot(axis, axis), inverse_length = 1.0 / std::sqrt(length_squared);
-    const double inverse1 = inverse_lengths[face1], inverse2 = inverse_lengths[face2];
-    const Vec3 n1 = inverse1 * face_vectors[face1], n2 = inverse2 * face_vectors[face2];
-    const double cosine = dot(n1, n2);
-    const double sine = dot(cross(n1, n2), axis) * inverse_length;
-    const double moment = stiffness[e] * (sine * cosine0[e] - cosine * sine0[e]) * inverse_length;
-    const Vec3 m1 = (moment * inverse1) * n1, m2 = (moment * inverse2) * n2;
-    const double share_c = dot(to_c, axis), share_d = dot(to_d, axis);
-    const Vec3 on_a = (share_c - length_squared) * m1 + (share_d - length_squared) * m2;
-    const Vec3 on_b = -share_c * m1 - share_d * m2;
-    forces[a] += on_a;
-    forces[b] += on_b;
-    forces[c] += length_squared * m1;
-    forces[d] += length_squared * m2;
-  }
+  add_forces_alone(*this, shape, forces);
 }
 
 }  // namespace pliant

@@ -19,6 +19,7 @@ struct Bending {
   static Bending about_flat(const TriangleMesh& mesh, double stiffness);
 
   double energy(const ShapeState& shape) const;
+  void add_stress(const ShapeState& shape, InnerStress& stress) const;
   void add_forces(const ShapeState& shape, std::span<Vec3> forces) const;
 };
 

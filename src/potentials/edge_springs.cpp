@@ -21,17 +21,15 @@ double EdgeSprings::energy(const ShapeState& shape) const {
   return sum;
 }
 
+void EdgeSprings::add_stress(const ShapeState& shape, InnerStress& stress) const {
+  const double* inverse = shape.inverse_edge_lengths();
+  // The choice keeps springs of rest length 0 finite when their ends meet.
+  for (std::size_t e = 0; e < rest_length.size(); ++e)
+    stress.pull[e] += stiffness[e] * (1.0 - (rest_length[e] > 0 ? rest_length[e] * inverse[e] : 0.0));
+}
+
 void EdgeSprings::add_forces(const ShapeState& shape, std::span<Vec3> forces) const {
-  const auto edges = shape.mesh().vertices_of_edge();
-  const auto positions = shape.positions();
-  for (std::size_t e = 0; e < edges.size(); ++e) {
-    const auto [a, b] = edges[e];
-    const Vec3 along = positions[b] - positions[a];
-    // The branch keeps springs of rest length 0 finite when their ends meet.
-    const double tension = rest_length[e] > 0 ? stiffness[e] * (1.0 - rest_length[e] / norm(along)) : stiffness[e];
-    forces[a] += tension * along;
-    forces[b] -= tension * along;
-  }
+  add_forces_alone(*this, shape, forces);
 }
 
 }  // namespace pliant

@@ -17,6 +17,7 @@ struct EdgeSprings {
                              double fraction);
 
   double energy(const ShapeState& shape) const;
+  void add_stress(const ShapeState& shape, InnerStress& stress) const;
   void add_forces(const ShapeState& shape, std::span<Vec3> forces) const;
 };
 

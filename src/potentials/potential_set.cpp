@@ -9,8 +9,17 @@ void PotentialSet::add(Potential potential) {
 }
 
 void PotentialSet::add_forces(const ShapeState& shape, std::span<Vec3> forces) const {
+  InnerStress& stress = shape.scratch();
+  stress.reset(shape.mesh());
+  bool is_stressed = false;
   for (const Potential& potential : *potentials_)
-    std::visit([&](const auto& p) { p.add_forces(shape, forces); }, potential);
+    std::visit(
+        [&](const auto& p) {
+          if constexpr (requires { p.add_stress(shape, stress); }) p.add_stress(shape, stress), is_stressed = true;
+          else p.add_forces(shape, forces);
+        },
+        potential);
+  if (is_stressed) stress.add_forces(shape, forces);
 }
 
 std::vector<std::pair<std::string, double>> PotentialSet::energies(const TriangleMesh& mesh,

@@ -23,7 +23,7 @@ std::vector<Vec3> vertex_normals(const ShapeState& shape) {
   std::vector<Vec3> normals(shape.mesh().n_vertices());
   const auto faces = shape.mesh().vertices_of_face();
   for (std::size_t f = 0; f < faces.size(); ++f)
-    for (int v : faces[f]) normals[v] += shape.face_vectors()[f];
+    for (int v : faces[f]) normals[v] += shape.face_vector(f);
   for (Vec3& n : normals) n = normalized(n);
   return normals;
 }
@@ -69,7 +69,7 @@ void SurfaceTension::add_forces(const ShapeState& shape, std::span<Vec3> forces)
   const auto positions = shape.positions();
   const auto add_tension = [&](std::span<Vec3> target) {
     for (std::size_t f = 0; f < faces.size(); ++f)
-      add_face_tension(faces[f], positions, shape.inverse_lengths()[f] * shape.face_vectors()[f], sigma, target);
+      add_face_tension(faces[f], positions, shape.inverse_length(f) * shape.face_vector(f), sigma, target);
   };
   if (mesh_control == 0) return add_tension(forces);
 

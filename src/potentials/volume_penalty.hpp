@@ -13,6 +13,7 @@ struct VolumePenalty {
   double reference_volume = 0;  ///< V0
 
   double energy(const ShapeState& shape) const;
+  void add_stress(const ShapeState& shape, InnerStress& stress) const;
   void add_forces(const ShapeState& shape, std::span<Vec3> forces) const;
 };
 

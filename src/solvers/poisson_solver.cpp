@@ -41,7 +41,9 @@ PoissonSolver::PoissonSolver(const Grid& grid, TransformPlanning planning)
   }
   // The mean mode is singular. Its equations are compatible, so a larger first diagonal only fixes the constant.
   const double pin = -1 / (dz_c[0] * dz_c[0]);
-  if (grid.slab().begin == 0) z_lines_.set_coefficients(rows, 0, 0, pin);
+  // So is its imaginary part, where there is one: zero it is, but with a pivot that may be zero to the last bit too.
+  const int parts = grid.is_periodic(0) ? 2 : 1;
+  if (grid.slab().begin == 0) z_lines_.set_coefficients(rows, parts, pin);
   else z_lines_.set_coefficients(rows);
 }
 

@@ -6,8 +6,8 @@
 
 namespace pliant {
 namespace {
-// Weights below this are dropped: they cannot be seen in a result, and denormal numbers are slow.
-constexpr double negligible = 1e-200;
+// Weights of a neighbour's unknown below this are dropped: they cannot be seen beside that unknown.
+constexpr double negligible = 1e-30;
 double flushed(double v) { return v > -negligible && v < negligible ? 0.0 : v; }
 }  // namespace
 
@@ -56,9 +56,9 @@ SlabTridiagonal::SlabTridiagonal(const Communicator& ranks, Ends ends, int plane
              static_cast<std::size_t>(i)] = shift(row, i);
 }
 
-void SlabTridiagonal::set_coefficients(const SlabRows& rows) { set_coefficients(rows, -1, -1, 0); }
+void SlabTridiagonal::set_coefficients(const SlabRows& rows) { set_coefficients(rows, 0, 0); }
 
-void SlabTridiagonal::set_coefficients(const SlabRows& rows, int pinned_row, int pinned_i, double addition) {
+void SlabTridiagonal::set_coefficients(const SlabRows& rows, int pinned, double addition) {
   rows_ = rows;
   if (order_ == Order::descending) {
     std::swap(rows_.lower, rows_.upper);
@@ -77,15 +77,16 @@ void SlabTridiagonal::set_coefficients(const SlabRows& rows, int pinned_row, int
       weights_.resize(static_cast<std::size_t>(planes_));
     }
     for (auto* of : {&first_, &second_, &last_}) of->resize(n);
+    for (auto* until : {&linked_until_, &weighted_until_}) until->assign(table_rows_, 0);
   }
   std::vector<Closure> closures(lines);
   for (std::size_t row = 0; row < table_rows_; ++row)
     for (std::size_t i = 0; i < table_width_; ++i) {
-      const bool pinned = static_cast<int>(row) == pinned_row && static_cast<int>(i) == pinned_i;
+      const bool is_pinned = row == 0 && static_cast<int>(i) < pinned;
       const std::size_t line = row * table_width_ + i;
       Closure second;
       factorise_lines(static_cast<int>(row), static_cast<int>(i), per_mode_ ? shift_[line] : 0.0,
-                      pinned ? addition : 0.0, closures[line], second);
+                      is_pinned ? addition : 0.0, closures[line], second);
       if (second_from_before_.empty()) continue;
       second_from_before_[line] = second.first_below;
       second_from_after_[line] = second.first_above;
@@ -128,7 +129,12 @@ void SlabTridiagonal::factorise_lines(int row, int i, double shift, double addit
     below = flushed(-rows_.lower[at] * pivot_inverse * (step == 0 ? 1.0 : below));
     const std::size_t entry = table_index(step, row) + static_cast<std::size_t>(i);
     inverse_[entry] = pivot_inverse;
-    if (coupled) from_below_[entry] = below;
+    if (coupled) {
+      from_below_[entry] = below;
+      const auto table_row = static_cast<std::size_t>(row);
+      if (below != 0) linked_until_[table_row] = std::max(linked_until_[table_row], step);
+      if (weight != 0) weighted_until_[table_row] = std::max(weighted_until_[table_row], step);
+    }
     if (step == 0) closure.first_below = below;
     else second.first_below += weight * below;
   }
@@ -151,17 +157,18 @@ void SlabTridiagonal::reduce_row(const Table& table, int step, int row, const do
   const std::ptrdiff_t line = static_cast<std::ptrdiff_t>(row) * width;
   double* __restrict first = first_.data() + line;
   double* __restrict second = second_.data() + line;
+  const bool is_weighted = step <= weighted_until_[static_cast<std::size_t>(fold_[static_cast<std::size_t>(row)])];
   if (step == planes_ - 1) std::copy_n(d, width, last_.data() + line);
   if (step == 0) {
     std::copy_n(d, width, first);
     std::fill_n(second, width, 0.0);
     if (per_mode_) std::fill_n(weight_.data() + line, width, 1.0);
-  } else if (!per_mode_) {
-    if (const double weight = weights_[static_cast<std::size_t>(step)]; weight != 0)
-      for_each(width, [=](int i) { second[i] += weight * d[i]; });
   } else if (step == 1) {
     std::copy_n(d, width, second);
-  } else {
+  } else if (is_weighted && !per_mode_) {
+    const double weight = weights_[static_cast<std::size_t>(step)];
+    for_each(width, [=](int i) { second[i] += weight * d[i]; });
+  } else if (is_weighted) {
     const double upper_before = rows_.upper[static_cast<std::size_t>(step) - 1];
     const auto inverse_before = table.inverse(step - 1, row);
     double* __restrict weight = weight_.data() + line;
@@ -218,16 +225,16 @@ void SlabTridiagonal::substitute_with(const Table& table, int step, int row, con
   const int width = lines_.width;
   const std::ptrdiff_t line = static_cast<std::ptrdiff_t>(row) * width;
   const auto inverse = table.inverse(step, row);
-  const bool starts = step == planes_ - 1;
-  if (interfaces_.is_coupled()) {
+  const bool coupled = interfaces_.is_coupled(), starts = step == planes_ - 1;
+  const double* above = starts && coupled ? last_.data() + line : before;
+  if (coupled && step <= linked_until_[static_cast<std::size_t>(fold_[static_cast<std::size_t>(row)])]) {
     const auto from_below = table.from_below(step, row);
     const double* __restrict below = first_.data() + line;
-    const double* __restrict above = starts ? last_.data() + line : before;
     for_each(width, [=](int i) { x[i] = d[i] + from_below[i] * below[i] - upper * inverse[i] * above[i]; });
-  } else if (starts) {
+  } else if (starts && !coupled) {
     if (x != d) std::copy_n(d, width, x);
   } else {
-    for_each(width, [=](int i) { x[i] = d[i] - upper * inverse[i] * before[i]; });
+    for_each(width, [=](int i) { x[i] = d[i] - upper * inverse[i] * above[i]; });
   }
 }
 

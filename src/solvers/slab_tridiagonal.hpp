@@ -39,8 +39,9 @@ class SlabTridiagonal {
 
   /// Factorises. Collective.
   void set_coefficients(const SlabRows& rows);
-  /// With, for one line alone, an addition to the diagonal of its first plane (pins a singular mode). Collective.
-  void set_coefficients(const SlabRows& rows, int pinned_row, int pinned_i, double addition);
+  /// With, for the lines i < pinned of row 0 alone, an addition to the diagonal of their first plane (pins a singular
+  /// mode). Collective.
+  void set_coefficients(const SlabRows& rows, int pinned, double addition);
 
   /// Eliminates a row of plane k in place; `before`: the same row of the plane eliminated before it, not read at first.
   void eliminate_row(int k, int row, double* d, const double* before);
@@ -96,6 +97,9 @@ class SlabTridiagonal {
   // second on, but for the neighbours; the one of the first follows from it. couple() turns first and last into the
   // unknowns of the neighbours before and after.
   std::vector<double> weight_, first_, second_, last_;
+  // By table row: the last step that feels the neighbour before the first (from_below_), and the last that the second
+  // unknown feels (weight_). Beyond them these are too small to be seen, for most modes after a few planes.
+  std::vector<int> linked_until_, weighted_until_;
   std::vector<double> weights_;             // by step, if one set of coefficients serves all lines
   std::vector<double> second_from_before_;  // [table row][i]: the second unknown from the neighbours'
   std::vector<double> second_from_after_;

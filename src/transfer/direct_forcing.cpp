@@ -58,17 +58,23 @@ void DirectForcing::apply(const Substep& substep, double dt, View<FaceX> u, View
 }
 
 void DirectForcing::force_once(double weight, double dt_alpha, View<FaceX> u, View<FaceY> v, View<FaceZ> w) {
-  fields_.clear();
+  // Planes are settled behind the last set of markers, when no other one reads them any more.
+  Set& last = set_of(set_of(MarkerGroup::moving).markers.size() > 0 ? MarkerGroup::moving : MarkerGroup::fixed);
   for (Set& set : sets_)
     if (set.complete) force_sheets(set, weight, dt_alpha, u, v, w);
-    else force_set(set, weight, dt_alpha, u, v, w);
+    else force_set(set, &set == &last, weight, dt_alpha, u, v, w);
   fields_.gather();
-  fields_.add_to(dt_alpha, u, v, w);
+  fields_.move_to(dt_alpha, u, v, w);
 }
 
-void DirectForcing::force_set(Set& set, double weight, double dt_alpha, View<FaceX> u, View<FaceY> v, View<FaceZ> w) {
+void DirectForcing::force_set(Set& set, bool is_last, double weight, double dt_alpha, View<FaceX> u, View<FaceY> v,
+                              View<FaceZ> w) {
   const double factor = 1 / dt_alpha;
-  set.markers.for_each_block([&](const StencilBlock& block) {
+  const auto expect = [&](const StencilBlock& block) {
+    prefetch(block, u, v, w);
+    prefetch(block, fields_.x(), fields_.y(), fields_.z());
+  };
+  const auto force = [&](const StencilBlock& block) {
     interpolate(set.markers, block, u, v, w, set.found);
     const std::size_t begin = static_cast<std::size_t>(block.first_batch) * mls_batch;
     const std::size_t end = begin + static_cast<std::size_t>(block.n_batches) * mls_batch;
@@ -80,7 +86,9 @@ void DirectForcing::force_set(Set& set, double weight, double dt_alpha, View<Fac
       }
     }
     spread(set.markers, block, set.found, fields_);
-  });
+    if (is_last) fields_.settle(set.markers.lowest_plane_from(block.first_batch + block.n_batches), dt_alpha, u, v, w);
+  };
+  set.markers.for_each_block(force, expect);
 }
 
 // What acts along a sheet and what across it are mixtures of components, which may be found on two ranks.

@@ -81,7 +81,7 @@ class DirectForcing {
   Set& set_of(MarkerGroup group) { return sets_[static_cast<std::size_t>(group)]; }
   const Set& set_of(MarkerGroup group) const { return sets_[static_cast<std::size_t>(group)]; }
   void force_once(double weight, double dt_alpha, View<FaceX> u, View<FaceY> v, View<FaceZ> w);
-  void force_set(Set& set, double weight, double dt_alpha, View<FaceX> u, View<FaceY> v, View<FaceZ> w);
+  void force_set(Set& set, bool is_last, double weight, double dt_alpha, View<FaceX> u, View<FaceY> v, View<FaceZ> w);
   void force_sheets(Set& set, double weight, double dt_alpha, View<FaceX> u, View<FaceY> v, View<FaceZ> w);
   void refill_ghosts(View<FaceX> u, View<FaceY> v, View<FaceZ> w);
 

@@ -9,9 +9,11 @@
 
 namespace pliant {
 
-void exponentials(double* x) {
-  Eigen::Map<Eigen::Array<double, 8, 1>, Eigen::Aligned64> values(x);
-  values = values.exp();
+void exponentials(double* x, int n) {
+  for (int begin = 0; begin < n; begin += 8) {
+    Eigen::Map<Eigen::Array<double, 8, 1>, Eigen::Aligned64> values(x + begin);
+    values = values.exp();
+  }
 }
 
 }  // namespace pliant

@@ -2,8 +2,8 @@
 
 namespace pliant {
 
-/// exp of eight numbers in place, at a 64-byte boundary. A number's result does not depend on its place or its
-/// neighbours.
-void exponentials(double* x);
+/// exp of n numbers in place, a multiple of eight at a 64-byte boundary. A number's result does not depend on its place
+/// or its neighbours.
+void exponentials(double* x, int n);
 
 }  // namespace pliant

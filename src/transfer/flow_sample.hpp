@@ -17,8 +17,8 @@ struct FlowSample {
 class FlowSampler {
  public:
   virtual ~FlowSampler() = default;
-  /// Fills samples[i] with the flow at points[i]. Collective over the ranks of the run; every rank asks for points of its
-  /// own, or none.
+  /// Fills samples[i] with the flow at points[i]. Collective over the ranks of the run; every rank asks for points of
+  /// its own, or none.
   virtual void sample(std::span<const Vec3> points, std::span<FlowSample> samples) const = 0;
 };
 

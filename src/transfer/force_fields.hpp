@@ -14,19 +14,26 @@ class ForceFields {
   View<FaceY> y() { return y_.view(); }
   View<FaceZ> z() { return z_.view(); }
 
-  /// Empties the fields and makes room for what these markers spread, besides those that are always there.
+  /// Makes room for what these markers spread, besides those that are always there. The fields must be empty.
   void reach(const Markers& markers);
   /// Markers that stay; a call of reach() must follow.
   void reach_always(const Markers& markers);
   /// Sets all forces to zero.
   void clear();
+  /// Does gather() and move_to() for the planes below `end` already, while they are in cache. Nothing may be spread to
+  /// them any more until move_to(), and no marker may read their velocity.
+  void settle(int end, double factor, View<FaceX> u, View<FaceY> v, View<FaceZ> w);
   /// Brings what was spread into ghosts to the nodes they are copies of: periodic sides, then other ranks. Collective.
   /// Afterwards only the interior counts.
   void gather();
-  /// u += factor times force, at the nodes that are unknowns: not at a bounded side's own face.
-  void add_to(double factor, View<FaceX> u, View<FaceY> v, View<FaceZ> w) const;
+  /// u += factor times force, at the nodes that are unknowns: not at a bounded side's own face. Leaves the fields
+  /// empty: while they are in cache that costs little.
+  void move_to(double factor, View<FaceX> u, View<FaceY> v, View<FaceZ> w);
 
  private:
+  void gather_plane(int k);
+  void move_plane(int k, double factor, View<FaceX> u, View<FaceY> v, View<FaceZ> w);
+
   Grid grid_;
   Field<FaceX> x_;
   Field<FaceY> y_;
@@ -34,6 +41,7 @@ class ForceFields {
   SlabHalo halo_;
   ReachedRows reached_;
   ReachedRows always_;  // the part of the markers that stay
+  int settled_ = 1;     // planes from 1 to before this one; those at the ends wait for other ranks
 };
 
 }  // namespace pliant

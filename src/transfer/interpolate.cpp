@@ -16,9 +16,19 @@ void interpolate(const Markers& markers, const StencilBlock& block, ConstView<Fa
   }
 }
 
+void prefetch(const StencilBlock& block, ConstView<FaceX> u, ConstView<FaceY> v, ConstView<FaceZ> w) {
+  for (int b = 0; b < block.n_batches; ++b) {
+    const auto& stencils = block.stencils[static_cast<std::size_t>(b)];
+    mls::prefetch(u, stencils);
+    mls::prefetch(v, stencils);
+    mls::prefetch(w, stencils);
+  }
+}
+
 void interpolate(const Markers& markers, ConstView<FaceX> u, ConstView<FaceY> v, ConstView<FaceZ> w,
                  MarkerVectors& velocities) {
-  markers.for_each_block([&](const StencilBlock& block) { interpolate(markers, block, u, v, w, velocities); });
+  markers.for_each_block([&](const StencilBlock& block) { interpolate(markers, block, u, v, w, velocities); },
+                         [&](const StencilBlock& block) { prefetch(block, u, v, w); });
 }
 
 void probe(const ProbedFields& fields, const StencilBatch& stencils, const SlopeBatch& slopes, int count,

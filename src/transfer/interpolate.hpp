@@ -12,6 +12,9 @@ void interpolate(const Markers& markers, const StencilBlock& block, ConstView<Fa
 void interpolate(const Markers& markers, ConstView<FaceX> u, ConstView<FaceY> v, ConstView<FaceZ> w,
                  MarkerVectors& velocities);
 
+/// Begins to load what the markers of a block will read of three fields, or add to them.
+void prefetch(const StencilBlock& block, ConstView<FaceX> u, ConstView<FaceY> v, ConstView<FaceZ> w);
+
 /// What a probe reads.
 struct ProbedFields {
   ConstView<FaceX> u;

@@ -67,14 +67,20 @@ void Markers::place(std::span<const Vec3> positions, std::span<const double> are
 
   for (auto& part : parts_)
     for (auto* numbers : {&part.share, &part.volume, &part.spreading}) numbers->assign(padded_size(), 0.0);
+  StencilBatch stencils;
+  lowest_planes_.assign(static_cast<std::size_t>(n_batches()) + 1, grid().nz() + 1);
   for (int b = 0; b < n_batches(); ++b) {
-    const StencilBatch stencils = raw_stencils(b);
+    make_stencils(b, stencils);
+    int& lowest = lowest_planes_[static_cast<std::size_t>(b)];
     for (int l = 0; l < count(b); ++l) {
+      lowest = std::min({lowest, stencils.first[z_center][l], stencils.first[z_face][l]});
       const std::size_t m = static_cast<std::size_t>(b) * mls_batch + static_cast<std::size_t>(l);
       for (const StencilLine line : {z_center, z_face})
         if (shape_.is_held(stencils, line, l)) weigh(line, stencils, m, areas[static_cast<std::size_t>(indices_[m])]);
     }
   }
+  for (std::size_t b = lowest_planes_.size() - 1; b > 0; --b)
+    lowest_planes_[b - 1] = std::min(lowest_planes_[b - 1], lowest_planes_[b]);
 }
 
 int Markers::block_of(Vec3 x) const {
@@ -115,8 +121,9 @@ std::vector<double> Markers::layers(std::span<const Vec3> normals) const {
   constexpr std::array<std::array<StencilLine, 3>, 3> lines{
       {{x_face, y_center, z_center}, {x_center, y_face, z_center}, {x_center, y_center, z_face}}};
   std::vector<double> layers(static_cast<std::size_t>(size()), 0.0);
+  StencilBatch stencils;
   for (int b = 0; b < n_batches(); ++b) {
-    const StencilBatch stencils = raw_stencils(b);
+    make_stencils(b, stencils);
     for (int l = 0; l < count(b); ++l) {
       const std::size_t m = static_cast<std::size_t>(b) * mls_batch + static_cast<std::size_t>(l);
       const Vec3 normal = normals[static_cast<std::size_t>(indices_[m])];
@@ -135,13 +142,11 @@ std::vector<double> Markers::layers(std::span<const Vec3> normals) const {
   return layers;
 }
 
-StencilBatch Markers::raw_stencils(int batch) const {
-  StencilBatch stencils;
+void Markers::make_stencils(int batch, StencilBatch& stencils) const {
   SlopeBatch slopes;
   shape_.evaluate(std::span(positions_)
                       .subspan(static_cast<std::size_t>(batch) * mls_batch, static_cast<std::size_t>(count(batch))),
                   stencils, slopes);
-  return stencils;
 }
 
 void Markers::evaluate(int first_batch, StencilBlock& block) const {
@@ -149,7 +154,7 @@ void Markers::evaluate(int first_batch, StencilBlock& block) const {
   block.n_batches = std::min(StencilBlock::most, n_batches() - first_batch);
   for (int b = 0; b < block.n_batches; ++b) {
     auto& stencils = block.stencils[static_cast<std::size_t>(b)];
-    stencils = raw_stencils(first_batch + b);
+    make_stencils(first_batch + b, stencils);
     const std::size_t begin = static_cast<std::size_t>(first_batch + b) * mls_batch;
     for (std::size_t l = 0; l < mls_batch; ++l) {
       if (parts_[0].share[begin + l] == 0) leave_to_others(z_center, l, stencils);

@@ -67,14 +67,29 @@ class Markers {
   /// spacing; d: how thick the layer is through which a sheet acts, sum_ij phi_i phi_j |n.(x_i - x_j)|, as the mean of
   /// the components along the sheet. Does not depend on the rank.
   std::vector<double> layers(std::span<const Vec3> normals) const;
+  /// The lowest plane of all stencils from this batch on; beyond the slab if there are none.
+  int lowest_plane_from(int batch) const { return lowest_planes_[static_cast<std::size_t>(batch)]; }
 
   /// visit(block) for blocks of stencils that cover all markers, in working order.
   template <class Visit>
   void for_each_block(Visit visit) const {
-    StencilBlock block;
+    for_each_block(visit, [](const StencilBlock&) {});
+  }
+  /// The same with expect(block) one block ahead of visit(block): what it begins to load is there when it is needed.
+  template <class Visit, class Expect>
+  void for_each_block(Visit visit, Expect expect) const {
+    StencilBlock blocks[2];
+    int now = 0;
+    const auto prepare = [&](int first_batch, StencilBlock& block) {
+      if (first_batch >= n_batches()) return;
+      evaluate(first_batch, block);
+      expect(std::as_const(block));
+    };
+    prepare(0, blocks[now]);
     for (int begin = 0; begin < n_batches(); begin += StencilBlock::most) {
-      evaluate(begin, block);
-      visit(std::as_const(block));
+      prepare(begin + StencilBlock::most, blocks[1 - now]);
+      visit(std::as_const(blocks[now]));
+      now = 1 - now;
     }
   }
 
@@ -87,7 +102,7 @@ class Markers {
   int block_of(Vec3 position) const;
   void sort_by_blocks();
   void evaluate(int first_batch, StencilBlock& block) const;
-  StencilBatch raw_stencils(int batch) const;
+  void make_stencils(int batch, StencilBatch& stencils) const;
   void leave_to_others(StencilLine line, std::size_t lane, StencilBatch& stencils) const;
   void weigh(StencilLine line, const StencilBatch& stencils, std::size_t marker, double area);
 
@@ -96,6 +111,7 @@ class Markers {
   std::vector<Vec3> positions_, sorted_positions_;
   std::vector<int> indices_, sorted_indices_, block_of_marker_, block_begin_;
   Part parts_[2];  // u and v, w
+  std::vector<int> lowest_planes_;
 };
 
 }  // namespace pliant

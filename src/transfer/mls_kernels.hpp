@@ -1,6 +1,7 @@
 #pragma once
 #include <cstring>
 
+#include "core/prefetch.hpp"
 #include "field/field.hpp"
 #include "transfer/mls_shape.hpp"
 
@@ -55,6 +56,19 @@ inline Value* lowest_node(View<Location, Value> f, const StencilBatch& s, int la
   return f.at_row(s.first[Lines::y][lane], s.first[Lines::z][lane]) + s.first[Lines::x][lane];
 }
 
+/// Begins to load the rows that the points of a batch will read or add to.
+template <class Location>
+inline void prefetch(ConstView<Location> f, const StencilBatch& s) {
+  for (int l = 0; l < mls_batch; ++l) {
+    const double* node = lowest_node(f, s, l);
+    for (int c = 0; c < 3; ++c)
+      for (int b = 0; b < 3; ++b) {
+        pliant::prefetch(node + b * f.row + c * f.plane);
+        pliant::prefetch(node + b * f.row + c * f.plane + 2);
+      }
+  }
+}
+
 /// Values of a field at the points of a batch.
 template <class Location>
 inline void interpolate(ConstView<Location> f, const StencilBatch& s, int count, double* values) {
@@ -77,26 +91,21 @@ inline void interpolate(ConstView<Location> f, const StencilBatch& s, int count,
   }
 }
 
-/// Adds amounts times phi to the nodes of a field, point after point.
+/// Adds amount times phi of a point, lane l, to the nodes of a field.
 template <class Location>
-inline void spread(View<Location> f, const StencilBatch& s, int count, const double* amounts) {
+inline void spread_one(View<Location> f, const StencilBatch& s, const RowFactors& factors, int l, double amount) {
   constexpr StencilLine line = SupportLines<Location>::x;
-  RowFactors factors;
-  row_factors<Location>(s, factors);
-  for (int l = 0; l < count; ++l) {
-    double* node = lowest_node(f, s, l);
-    const double amount = amounts[l];
-    const Row value = {amount * s.value[line][0][l], amount * s.value[line][1][l], amount * s.value[line][2][l], 0};
-    const Row weight = {amount * s.weight[line][0][l], amount * s.weight[line][1][l], amount * s.weight[line][2][l], 0};
-    for (int c = 0; c < 3; ++c)
-      for (int b = 0; b < 3; ++b) {
-        double* at = node + b * f.row + c * f.plane;
-        Row row;
-        std::memcpy(&row, at, sizeof(row));
-        row += factors.with_value[c][b][l] * value + factors.with_weight[c][b][l] * weight;
-        std::memcpy(at, &row, sizeof(row));
-      }
-  }
+  double* node = lowest_node(f, s, l);
+  const Row value = {amount * s.value[line][0][l], amount * s.value[line][1][l], amount * s.value[line][2][l], 0};
+  const Row weight = {amount * s.weight[line][0][l], amount * s.weight[line][1][l], amount * s.weight[line][2][l], 0};
+  for (int c = 0; c < 3; ++c)
+    for (int b = 0; b < 3; ++b) {
+      double* at = node + b * f.row + c * f.plane;
+      Row row;
+      std::memcpy(&row, at, sizeof(row));
+      row += factors.with_value[c][b][l] * value + factors.with_weight[c][b][l] * weight;
+      std::memcpy(at, &row, sizeof(row));
+    }
 }
 
 /// Gradients of a field at the points of a batch: out[d][lane].

@@ -22,9 +22,9 @@ struct SampledFields {
 /// Linear fields come out exact; in general the value is second and the gradient first order in the spacing. The
 /// pressure that comes out is physical: density times the solver's.
 ///
-/// Every rank asks for points of its own. They are evaluated by the ranks that hold the middle planes of their stencils,
-/// and what these say is summed, exactly because all other terms are zero: the samples are the same for any number of
-/// ranks. Points are brought back into the box along periodic directions.
+/// Every rank asks for points of its own. They are evaluated by the ranks that hold the middle planes of their
+/// stencils, and what these say is summed, exactly because all other terms are zero: the samples are the same for any
+/// number of ranks. Points are brought back into the box along periodic directions.
 class MlsSampler : public FlowSampler {
  public:
   MlsSampler(const Grid& grid, SampledFields fields, double density);

@@ -8,8 +8,6 @@
 namespace pliant {
 namespace {
 
-using Lanes = double[mls_batch];
-
 bool is_uniform(PlaneValues dz, int n, double spacing) {
   for (int k = 0; k < n; ++k)
     if (std::abs(dz[k] - spacing) > 1e-10 * spacing) return false;
@@ -22,7 +20,7 @@ constexpr int buckets_per_cell = 4;
 
 void mls_stencils(const StencilNumbers& offsets, double alpha, StencilNumbers& weight, StencilNumbers& value,
                   StencilNumbers& slope) {
-  alignas(64) Lanes low, high;
+  alignas(64) double low[mls_batch], high[mls_batch];
   for (int l = 0; l < mls_batch; ++l) {
     const double a = offsets[0][l], b = offsets[1][l], c = offsets[2][l];
     const double reach = alpha * std::max(0.75 * (c - a), std::max(std::abs(a), std::abs(c)));
@@ -30,8 +28,8 @@ void mls_stencils(const StencilNumbers& offsets, double alpha, StencilNumbers& w
     low[l] = (b - a) * (b + a) * scale;
     high[l] = (b - c) * (b + c) * scale;
   }
-  exponentials(low);  // weights relative to the middle node's
-  exponentials(high);
+  exponentials(low, mls_batch);  // weights relative to the middle node's
+  exponentials(high, mls_batch);
   for (int l = 0; l < mls_batch; ++l) {
     const double a = offsets[0][l], b = offsets[1][l], c = offsets[2][l];
     const double inverse = 1 / (1 + low[l] + high[l]);
@@ -48,7 +46,7 @@ void mls_stencils(const StencilNumbers& offsets, double alpha, StencilNumbers& w
 }
 
 MlsShape::MlsShape(const Grid& grid, double alpha)
-    : grid_(grid), alpha_(alpha), edge_(std::exp(-1 / (2.25 * alpha * alpha))) {
+    : grid_(grid), alpha_(alpha), factor_(2 / (2.25 * alpha * alpha)), edge_(std::exp(-1 / (2.25 * alpha * alpha))) {
   for (int d = 0; d < 3; ++d) {
     const int n = grid.cells()[static_cast<std::size_t>(d)];
     const double h = grid.size()[d] / n;
@@ -76,10 +74,14 @@ bool MlsShape::bring_into_box(Vec3& point) const {
 
 // The lowest of three nodes around the middle one, kept within a bounded box.
 int MlsShape::first_node(StencilLine line, int middle) const {
-  const auto& d = directions_[line / 2];
-  if (d.periodic) return middle - 1;
-  const int lowest = line % 2 == 1 || d.cells < 3 ? -1 : 0;
-  return std::clamp(middle - 1, lowest, std::max(lowest, d.cells - 3));
+  if (directions_[line / 2].periodic) return middle - 1;
+  return std::clamp(middle - 1, lowest_node(line), highest_node(line));
+}
+
+// Bounds of the lowest node between bounded sides.
+int MlsShape::lowest_node(StencilLine line) const { return line % 2 == 1 || directions_[line / 2].cells < 3 ? -1 : 0; }
+int MlsShape::highest_node(StencilLine line) const {
+  return std::max(lowest_node(line), directions_[line / 2].cells - 3);
 }
 
 MlsShape::Middle MlsShape::stretched_middle(StencilLine line, double z) const {
@@ -126,77 +128,89 @@ bool MlsShape::is_near(double z) const {
 }
 
 void MlsShape::evaluate(std::span<const Vec3> points, StencilBatch& stencils, SlopeBatch& slopes) const {
-  alignas(64) Lanes x[3];
+  alignas(64) double x[3][mls_batch];
   for (int l = 0; l < mls_batch; ++l) {
     const Vec3& point = points[static_cast<std::size_t>(l) < points.size() ? static_cast<std::size_t>(l) : 0];
     x[0][l] = point.x, x[1][l] = point.y, x[2][l] = point.z;
   }
-  uniform(0, x[0], stencils, slopes);
-  uniform(1, x[1], stencils, slopes);
+  const int n_uniform = stretched_z_ ? 2 : 3;
+  UniformOffsets offsets[3];
+  alignas(64) double t[3 * mls_batch];
+  for (int d = 0; d < n_uniform; ++d) {
+    offsets[d] = uniform_offsets(d, load_lanes(x[d]));
+    store(factor_ * offsets[d].from[0], t + d * mls_batch);
+  }
+  exponentials(t, n_uniform * mls_batch);
+  for (int d = 0; d < n_uniform; ++d) uniform(d, offsets[d], load_lanes(t + d * mls_batch), stencils, slopes);
   if (stretched_z_) stretched(x[2], stencils, slopes);
-  else uniform(2, x[2], stencils, slopes);
   const int begin = grid_.slab().begin;
   for (int l = 0; l < mls_batch; ++l) stencils.first[z_center][l] -= begin, stencils.first[z_face][l] -= begin;
 }
 
-// With the offset d of the nearest node in spacings, the weights relative to that node's are edge * t and edge / t,
-// t = exp(2 d / (1.5 alpha)^2); the nearest face is half a spacing from the nearest centre, so that one exponential
-// serves both.
-void MlsShape::uniform(int direction, const double* x, StencilBatch& stencils, SlopeBatch& slopes) const {
+MlsShape::UniformOffsets MlsShape::uniform_offsets(int direction, Lanes x) const {
   const auto& dir = directions_[direction];
-  const auto center = static_cast<StencilLine>(2 * direction), face = static_cast<StencilLine>(2 * direction + 1);
-  const double factor = 2 / (2.25 * alpha_ * alpha_), edge = edge_, inverse_edge = 1 / edge_;
-  const double origin = dir.origin, inverse_spacing = dir.inverse_spacing;
-  const int n = dir.cells;
-  alignas(64) Lanes offsets[2], t[2];
-  alignas(64) int middle[2][mls_batch];
-  for (int l = 0; l < mls_batch; ++l) {
-    const double scaled = (x[l] - origin) * inverse_spacing;
-    middle[0][l] = std::min(static_cast<int>(scaled), n - 1);
-    middle[1][l] = static_cast<int>(scaled + 0.5) - 1;
-    offsets[0][l] = middle[0][l] + 0.5 - scaled;
-    offsets[1][l] = middle[1][l] + 1 - scaled;
-    t[0][l] = factor * offsets[0][l];
-  }
-  exponentials(t[0]);
-  for (int l = 0; l < mls_batch; ++l) t[1][l] = t[0][l] * (offsets[1][l] > offsets[0][l] ? inverse_edge : edge);
+  const Lanes scaled = (x - dir.origin) * dir.inverse_spacing;
+  const IntLanes cell = __builtin_convertvector(scaled, IntLanes);
+  UniformOffsets offsets;
+  offsets.middle[0] = cell < dir.cells ? cell : dir.cells - 1 + IntLanes{};
+  offsets.middle[1] = __builtin_convertvector(scaled + 0.5, IntLanes) - 1;
+  offsets.from[0] = __builtin_convertvector(offsets.middle[0], Lanes) + 0.5 - scaled;
+  offsets.from[1] = __builtin_convertvector(offsets.middle[1], Lanes) + 1.0 - scaled;
+  return offsets;
+}
 
-  bool any_shifted = false;
-  alignas(64) StencilNumbers shifted[2];
-  bool is_shifted[2][mls_batch];
+// With the offset d of the nearest node in spacings, the weights relative to that node's are a = edge t and c = edge /
+// t, t = exp(2 d / (1.5 alpha)^2); the nearest face is half a spacing from the nearest centre, so that one exponential
+// serves both. Their sum and spread, multiplied by t, share one division.
+void MlsShape::uniform(int direction, const UniformOffsets& offsets, Lanes center_t, StencilBatch& stencils,
+                       SlopeBatch& slopes) const {
+  const auto& dir = directions_[direction];
+  const double edge = edge_, inverse_edge = 1 / edge_, inverse_spacing = dir.inverse_spacing;
+  const Lanes nearer = inverse_edge + Lanes{}, farther = edge + Lanes{};
+  const Lanes face_t = center_t * (offsets.from[1] > offsets.from[0] ? nearer : farther);
+  IntLanes shift[2];
   for (int kind = 0; kind < 2; ++kind) {
-    const StencilLine line = kind == 0 ? center : face;
+    const auto line = static_cast<StencilLine>(2 * direction + kind);
+    const Lanes t = kind == 0 ? center_t : face_t;
+    const Lanes a_t = edge * t * t;
+    const double c_t = edge;
+    const Lanes sum_t = a_t + t + c_t, square_t = 2 * edge * edge * t, spread_t = a_t + c_t + 2 * square_t;
+    const Lanes inverse = 1 / (sum_t * spread_t), by_sum = spread_t * inverse, by_spread = sum_t * inverse;
+    const Lanes wa = a_t * by_sum, wb = t * by_sum, wc = c_t * by_sum;
+    const Lanes sa = -(a_t + square_t) * by_spread, sb = (a_t - c_t) * by_spread, sc = (c_t + square_t) * by_spread;
+    const Lanes moment = offsets.from[kind] + (wc - wa);
     auto& weight = stencils.weight[line];
     auto& value = stencils.value[line];
     auto& slope = slopes.slope[line];
-    for (int l = 0; l < mls_batch; ++l) {
-      const double offset = offsets[kind][l], a = edge * t[kind][l], c = edge / t[kind][l];
-      const double inverse = 1 / (1 + a + c), inverse_spread = 1 / (a + c + 4 * edge * edge);
-      const double moment = offset + (c - a) * inverse;
-      const double sa = -a * (1 + 2 * c) * inverse_spread, sb = (a - c) * inverse_spread;
-      const double sc = c * (1 + 2 * a) * inverse_spread;
-      const double wa = a * inverse, wc = c * inverse;
-      weight[0][l] = wa, weight[1][l] = inverse, weight[2][l] = wc;
-      value[0][l] = wa - moment * sa, value[1][l] = inverse - moment * sb, value[2][l] = wc - moment * sc;
-      slope[0][l] = sa * inverse_spacing, slope[1][l] = sb * inverse_spacing, slope[2][l] = sc * inverse_spacing;
+    store(wa, weight[0]), store(wb, weight[1]), store(wc, weight[2]);
+    store(wa - moment * sa, value[0]), store(wb - moment * sb, value[1]), store(wc - moment * sc, value[2]);
+    store(sa * inverse_spacing, slope[0]), store(sb * inverse_spacing, slope[1]), store(sc * inverse_spacing, slope[2]);
+
+    const IntLanes middle = offsets.middle[kind];
+    IntLanes first = middle - 1;
+    if (dir.periodic) first = middle < 0 ? first + dir.cells : first;
+    shift[kind] = -first;
+    if (!dir.periodic) {
+      const int lowest = lowest_node(line), highest = highest_node(line);
+      first = first < lowest ? lowest + IntLanes{} : first > highest ? highest + IntLanes{} : first;
     }
-    for (int l = 0; l < mls_batch; ++l) {
-      const int node = middle[kind][l] < 0 && dir.periodic ? middle[kind][l] + n : middle[kind][l];
-      const int first = first_node(line, node);
-      const int shift = first + 1 - node;
-      stencils.first[line][l] = first;
-      is_shifted[kind][l] = shift != 0;
-      any_shifted = any_shifted || shift != 0;
-      for (int i = 0; i < 3; ++i) shifted[kind][i][l] = (offsets[kind][l] + shift + i - 1) * dir.spacing;
-    }
+    shift[kind] += first;
+    store(first, stencils.first[line]);
   }
-  if (!any_shifted) return;
+  if (any(shift[0] | shift[1])) make_shifted(direction, offsets, shift, stencils, slopes);
+}
+
+// Beside bounded sides, where the three nodes are not those around the nearest one.
+void MlsShape::make_shifted(int direction, const UniformOffsets& offsets, const IntLanes (&shift)[2],
+                            StencilBatch& stencils, SlopeBatch& slopes) const {
   for (int kind = 0; kind < 2; ++kind) {
-    const StencilLine line = kind == 0 ? center : face;
-    alignas(64) StencilNumbers weight, value, slope;
-    mls_stencils(shifted[kind], alpha_, weight, value, slope);
+    const auto line = static_cast<StencilLine>(2 * direction + kind);
+    alignas(64) StencilNumbers shifted, weight, value, slope;
+    const Lanes lowest = offsets.from[kind] + __builtin_convertvector(shift[kind], Lanes);
+    for (int i = 0; i < 3; ++i) store((lowest + (i - 1.0)) * directions_[direction].spacing, shifted[i]);
+    mls_stencils(shifted, alpha_, weight, value, slope);
     for (int l = 0; l < mls_batch; ++l) {
-      if (!is_shifted[kind][l]) continue;
+      if (shift[kind][l] == 0) continue;
       for (int i = 0; i < 3; ++i) {
         stencils.weight[line][i][l] = weight[i][l];
         stencils.value[line][i][l] = value[i][l];

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "core/lanes.hpp"
 #include "grid/grid.hpp"
 
 namespace pliant {
@@ -11,7 +12,7 @@ namespace pliant {
 inline constexpr double default_mls_alpha = 0.3;
 
 /// Points are treated in batches of so many.
-inline constexpr int mls_batch = 8;
+inline constexpr int mls_batch = n_lanes;
 
 /// The six one-dimensional stencils of a point: every staggered location combines three of them.
 enum StencilLine { x_center, x_face, y_center, y_face, z_center, z_face, n_stencil_lines };
@@ -58,9 +59,7 @@ class MlsShape {
 
   /// Middle planes of the stencils along z (centres, faces) of a point at height z, by global index, to round-off: a
   /// point at a border between cells may count to either.
-  std::array<int, 2> middle_planes(double z) const {
-    return {middle_plane(z_center, z), middle_plane(z_face, z)};
-  }
+  std::array<int, 2> middle_planes(double z) const { return {middle_plane(z_center, z), middle_plane(z_face, z)}; }
 
   /// False if no stencil of a point at height z can have its middle plane on this rank.
   bool is_near(double z) const;
@@ -87,15 +86,27 @@ class MlsShape {
     int node = 0;
     double shift = 0;  // added to the point: a period, or nothing
   };
-  void uniform(int direction, const double* x, StencilBatch& stencils, SlopeBatch& slopes) const;
+  // Middle nodes among centres and faces of a uniform direction, and how far they are from the points, in spacings.
+  struct UniformOffsets {
+    Lanes from[2];
+    IntLanes middle[2];
+  };
+  UniformOffsets uniform_offsets(int direction, Lanes x) const;
+  void uniform(int direction, const UniformOffsets& offsets, Lanes center_t, StencilBatch& stencils,
+               SlopeBatch& slopes) const;
+  void make_shifted(int direction, const UniformOffsets& offsets, const IntLanes (&shift)[2], StencilBatch& stencils,
+                    SlopeBatch& slopes) const;
   void stretched(const double* z, StencilBatch& stencils, SlopeBatch& slopes) const;
   Middle stretched_middle(StencilLine line, double z) const;
   int first_node(StencilLine line, int middle) const;
+  int lowest_node(StencilLine line) const;
+  int highest_node(StencilLine line) const;
   int middle_plane(StencilLine line, double z) const;
 
   Grid grid_;
   double alpha_;
-  double edge_;  // weight of a node one uniform spacing away
+  double factor_;  // of the offset in the exponent
+  double edge_;    // weight of a node one uniform spacing away
   Direction directions_[3];
   bool stretched_z_ = false;
   std::vector<int> cell_of_bucket_;  // where the search for a plane of a stretched z begins

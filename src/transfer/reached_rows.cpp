@@ -35,10 +35,9 @@ void ReachedRows::include(const Markers& markers) {
         const auto [i, i_last] = std::minmax(first[x_center][l], first[x_face][l]);
         const auto [j, j_last] = std::minmax(first[y_center][l], first[y_face][l]);
         const std::uint64_t mask = mask_of(i, i_last + 2);
-        for (const StencilLine z : {z_center, z_face})
-          for (int c = 0; c < 3; ++c)
-            for (std::size_t row = at(j, first[z][l] + c); row <= at(j_last + 2, first[z][l] + c); ++row)
-              segments_[row] |= mask;
+        const auto [k, k_last] = std::minmax(first[z_center][l], first[z_face][l]);
+        for (int plane = k; plane <= k_last + 2; ++plane)
+          for (std::size_t row = at(j, plane); row <= at(j_last + 2, plane); ++row) segments_[row] |= mask;
       }
     }
   });
