@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Measures the flow solver and prints the tables of bench/README.md.
 
 Every configuration runs once a round, all configurations in turn, so that a drift of the machine meets all alike; the

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """What bodies cost: runs a channel with and without spheres, in turn, and compares the time of a step.
 
     bench/spheres.py [--rounds 5] [--steps 10] [--cells 256x256x192] [--spheres 200] [--frequency 8] [--motion rigid]

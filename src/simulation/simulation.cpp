@@ -18,28 +18,18 @@
 #include "coupling/strong.hpp"
 #include "io/run_report.hpp"
 #include "parallel/agree.hpp"
-#include "signals/make_signal.hpp"
 #include "simulation/case_identity.hpp"
+#include "simulation/explain_failure.hpp"
+#include "simulation/flow_parameters.hpp"
 #include "simulation/output_folder.hpp"
 #include "simulation/outputs.hpp"
+#include "simulation/slowest_phases.hpp"
 #include "simulation/stop_signals.hpp"
 #include "simulation/time_step.hpp"
 #include "simulation/wall_clock.hpp"
 
 namespace pliant {
 namespace {
-
-FlowParameters flow_parameters(const CaseConfig& config) {
-  FlowParameters parameters;
-  parameters.density = config.fluid.density;
-  parameters.viscosity = config.fluid.viscosity / config.fluid.density;
-  parameters.viscous = config.time.viscous;
-  parameters.sweeps = config.time.sweeps;
-  parameters.boundary = config.boundary;
-  parameters.signals = make_signals(config);
-  parameters.forcing = config.forcing;
-  return parameters;
-}
 
 // What the ranks have to agree on after a step, the most urgent first; the largest of all ranks counts.
 constexpr int show_progress = 1;   // of the root alone, as is
@@ -82,7 +72,6 @@ struct Simulation::Impl {
   void write_outputs(Urgency urgency);
   bool is_at_end() const;
   [[noreturn]] void fail(int state);
-  std::string explain_flow_failure() const;
   void begin_anew();
   void begin_from_checkpoint();
   CheckpointHead head() const;
@@ -297,8 +286,7 @@ bool Simulation::Impl::is_at_end() const {
 double Simulation::Impl::choose_step() {
   const auto scope = timer.measure("diagnostics");
   const double rate = flow.step_rate();
-  const auto limits =
-      step_limits(config, grid, std::max({rate, side_rate, bodies_rate()}), flow.viscous_step_limit());
+  const auto limits = step_limits(config, grid, std::max({rate, side_rate, bodies_rate()}), flow.viscous_step_limit());
   next_event = std::min(config.time.end, outputs->next_time(now.time));
   const double step = step_towards(limits.smallest(), next_event - now.time);
   if (!(now.time + step > now.time))
@@ -385,7 +373,7 @@ void Simulation::Impl::write_outputs(Urgency urgency) {
 
 void Simulation::Impl::fail(int state) {
   const std::string where = fmt::format("step {} (t = {:.6g})", now.step, now.time);
-  const std::string what = state >= flow_failed ? explain_flow_failure() : body_problem;
+  const std::string what = state >= flow_failed ? explain_flow_failure(bodies, flow, dt, last_cfl) : body_problem;
   std::string evidence = "The last state is in " + options.output.string();
   try {
     outputs->write_evidence(now, flow, bodies);
@@ -447,29 +435,6 @@ std::string Simulation::Impl::write_good_state() {
   return fmt::format("The checkpoint before it is {}", checkpoints.last_path().string());
 }
 
-std::string Simulation::Impl::explain_flow_failure() const {
-  std::string text = fmt::format("the flow is not finite any more; the step was {:.3g}", dt);
-  // A body far too light can take the flow along before its swings are counted.
-  for (const auto& kind : bodies.kinds())
-    if (kind.is_free() && kind.coupling == CouplingKind::loose && kind.added_mass_ratio > 1)
-      return text + fmt::format(
-                        "; likely loose coupling was unstable: the added mass of body '{}' is about {:.2g} of its own; "
-                        "use coupling = \"strong\"",
-                        kind.config.name, kind.added_mass_ratio);
-  const double viscous = flow.viscous_step_limit();
-  if (dt > viscous)
-    return text + fmt::format(
-                      ", the limit of the explicit viscous terms is {:.3g}: lower time.step, or choose "
-                      "time.viscous = \"implicit\"",
-                      viscous);
-  if (last_cfl > largest_stable_cfl)
-    return text + fmt::format(
-                      ", its Courant number about {:.3g}, the limit of the scheme {:.3g}: lower time.step or "
-                      "time.cfl",
-                      last_cfl, largest_stable_cfl);
-  return text + "; likely the step is too long or the forcing too strong: try half of time.step or time.cfl";
-}
-
 void Simulation::Impl::report(const std::string& status) {
   const auto phases = slowest_phases();
   const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -480,17 +445,7 @@ PhaseTimer::Seconds Simulation::Impl::slowest_phases() {
   auto mine = timer.seconds();
   for (const auto& [phase, seconds] : flow.timer().seconds()) mine["fluid: " + phase] += seconds;
   for (const auto& [phase, seconds] : coupled->timer().seconds()) mine[phase] += seconds;
-  std::string names;
-  for (const auto& [phase, seconds] : mine) names += phase + '\n';
-  names = ranks.broadcast(names);
-  PhaseTimer::Seconds slowest;
-  for (std::size_t begin = 0; begin < names.size();) {
-    const auto end = names.find('\n', begin);
-    const auto phase = names.substr(begin, end - begin);
-    slowest[phase] = ranks.max(mine.contains(phase) ? mine[phase] : 0.0);
-    begin = end + 1;
-  }
-  return slowest;
+  return slowest_of(ranks, mine);
 }
 
 Simulation::Simulation(const CaseConfig& config, const Communicator& ranks, SimulationOptions options)

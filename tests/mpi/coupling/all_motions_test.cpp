@@ -52,6 +52,21 @@ TEST(AllMotions, HammingIsTheSameOnAnyNumberOfRanks) {
   expect_same_on_any_ranks(twenty_steps(CouplingKind::strong, StrongScheme::hamming));
 }
 
+// With the drop, which looks at the flow after every step, and without it.
+TEST(AllMotions, FusedSweepsAreThePlainOnesWithBodies) {
+  const SharedFolder owner;
+  for (const bool with_drop : {true, false}) {
+    auto config = twenty_steps(CouplingKind::loose);
+    if (!with_drop) config.bodies.pop_back();
+    const auto fused = run(config, Communicator(), owner.path() / "fused");
+    config.time.sweeps = Sweeps::plain;
+    const auto plain = run(config, Communicator(), owner.path() / "plain");
+    EXPECT_LT(relative_difference(fused.flow, plain.flow), 1e-11);
+    EXPECT_LT(relative_difference(fused.vertices, plain.vertices), 1e-11);
+    EXPECT_LT(relative_difference(fused.loads, plain.loads), 1e-11);
+  }
+}
+
 TEST(AllMotions, EveryBodyMovesAsItIsToldOrFree) {
   const SharedFolder owner;
   auto config = twenty_steps(CouplingKind::loose);
