@@ -51,6 +51,12 @@ void CoupledFlow::advance_fluid(double step) {
   });
 }
 
+// Samplers read the fields themselves.
+void CoupledFlow::settle() {
+  const auto scope = timer_.measure("fluid");
+  flow_.settle();
+}
+
 Vec3 CoupledFlow::driving() const {
   Vec3 sum = config_.forcing.acceleration;
   if (const auto& bulk = config_.forcing.bulk_velocity) sum[static_cast<int>(bulk->axis)] += flow_.bulk_forcing();
@@ -59,12 +65,10 @@ Vec3 CoupledFlow::driving() const {
 
 void CoupledFlow::find_loads(double step) {
   if (!is_two_way_) return;
+  if (has_probe_driven_) settle();
   const auto scope = timer_.measure("bodies: loads");
   boundary_->find_reactions(bodies_, MarkerGroup::moving, step, driving());
-  if (has_probe_driven_) {
-    flow_.settle();
-    find_stresses(bodies_, sampler_, flow_.grid(), driving(), StressOf::driven);
-  }
+  if (has_probe_driven_) find_stresses(bodies_, sampler_, flow_.grid(), driving(), StressOf::driven);
   if (contact_.is_wanted()) contact_.find(bodies_);
 }
 
@@ -78,7 +82,7 @@ void CoupledFlow::accept() {
 
 void CoupledFlow::advance_one_way_bodies(double step) {
   if (!has_deformable_) return;
-  flow_.settle();
+  settle();
   const auto scope = timer_.measure("bodies: motion");
   advance_one_way(bodies_, sampler_, config_.fluid, step);
 }

@@ -54,6 +54,7 @@ class CoupledFlow {
 
  private:
   Vec3 driving() const;
+  void settle();
 
   CaseConfig config_;
   FlowSolver& flow_;
