@@ -170,7 +170,7 @@ class Bounds:
         print(f"{'pass' if holds else 'MISSED'}: {what}: {measured} (bound {bound})", flush=True)
 
     def within(self, what, value, low, high, unit=""):
-        self.add(what, f"{value:.3g}{unit}", f"{low:g} to {high:g}{unit}", low <= value <= high)
+        self.add(what, f"{value:.4g}{unit}", f"{low:g} to {high:g}{unit}", low <= value <= high)
 
     def near(self, what, value, reference, percent):
         """|value / reference - 1| <= percent."""
