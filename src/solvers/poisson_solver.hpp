@@ -27,8 +27,7 @@ class PoissonSolver {
   /// Then, collective:
   void couple() { z_lines_.couple(); }
   /// And for k descending, from the eliminated plane and the modes of plane k + 1 (not read at first) to its modes,
-  /// which may take the place of the eliminated plane; `first` planes may have been found before. PoissonPlanes does
-  /// all that.
+  /// which may take the place of the eliminated plane. PoissonPlanes does all that.
   void substitute(int k, ConstPlane<Center> eliminated, ConstPlane<Center> modes_above, Plane<Center> modes) const {
     for (int j = 0; j < ny_; ++j)
       z_lines_.substitute_row(k, j, eliminated.at_row(j), modes_above.at_row(j), modes.at_row(j));
