@@ -140,15 +140,9 @@ void print_steps(const CaseConfig& config, const Grid& grid, const CheckedBodies
         viscous_number, largest_forcing_viscous_number);
 }
 
-void print_sweeps(const CaseConfig& config, int ranks) {
-  const bool is_periodic = std::holds_alternative<PeriodicSide>(config.boundary[4]);
-  const auto sweeps = sweeps_in_use(config.time.sweeps, config.box.cells[2], is_periodic, ranks);
-  const auto is_open = [](const BoundarySpec& side) {
-    const auto* patches = patches_of(side);
-    return std::holds_alternative<InflowSide>(side) || std::holds_alternative<OutflowSide>(side) ||
-           (patches != nullptr && !patches->empty());
-  };
-  const bool is_open_box = std::any_of(config.boundary.begin(), config.boundary.end(), is_open);
+void print_sweeps(const CaseConfig& config, const Grid& grid, int ranks) {
+  const auto sweeps = sweeps_in_use(config.time.sweeps, config.box.cells[2], grid.is_periodic(2), ranks);
+  const bool is_open_box = OpenSides(grid, config.boundary, make_signals(config)).any();
   fmt::print("# sweeps: {}\n", sweeps == Sweeps::plain ? config.time.sweeps == Sweeps::plain
                                                              ? "plain, as asked for"
                                                              : "plain: slabs of one plane are too thin for fused ones"
@@ -166,7 +160,7 @@ int check(const CheckArguments& arguments, const Communicator& communicator) {
   fmt::print("{}\n# --- The case is sound.\n", to_toml(config));
   print_memory(config, bodies, ranks);
   print_patches(config, grid);
-  print_sweeps(config, ranks);
+  print_sweeps(config, grid, ranks);
   print_steps(config, grid, bodies);
   for (std::size_t k = 0; k < bodies.kinds.size(); ++k)
     fmt::print("# {}\n", describe(bodies.kinds[k], bodies.copies[k]));

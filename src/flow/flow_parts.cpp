@@ -94,6 +94,18 @@ void FlowParts::fill_plane(const VelocityFields& velocity, int k) const {
   fill_plane_ghosts(velocity.w.view(), rules[2], grid.nx(), grid.ny(), k);
 }
 
+void FlowParts::fill_row(const VelocityPlane<double>& velocity, int j, int k) const {
+  fill_row_ghosts(velocity.u.at_row(j), rules[0], grid.nx(), j, k);
+  fill_row_ghosts(velocity.v.at_row(j), rules[1], grid.nx(), j, k);
+  fill_row_ghosts(velocity.w.at_row(j), rules[2], grid.nx(), j, k);
+}
+
+void FlowParts::fill_rows_beyond(const VelocityPlane<double>& velocity, int k) const {
+  fill_ghost_rows(velocity.u, rules[0], grid.nx(), grid.ny(), k);
+  fill_ghost_rows(velocity.v, rules[1], grid.nx(), grid.ny(), k);
+  fill_ghost_rows(velocity.w, rules[2], grid.nx(), grid.ny(), k);
+}
+
 void FlowParts::fill_predicted_ends(const VelocityFields& predicted, GhostPlanes which) {
   const auto scope = timer.measure("halo");
   // The face plane on the upper side is set before neighbours or the divergence see it.

@@ -58,6 +58,9 @@ struct FlowParts {
   void finish_viscous(HelmholtzAdi* solve, const VelocityFields& predicted);
 
   void fill_plane(const VelocityFields& velocity, int k) const;  ///< x and y ghosts
+  /// The same in parts: x ghosts of a row, and the ghost rows of a plane whose rows are complete.
+  void fill_row(const VelocityPlane<double>& velocity, int j, int k) const;
+  void fill_rows_beyond(const VelocityPlane<double>& velocity, int k) const;
   /// Ghost planes in z, and the faces on the sides, of a predicted velocity. Collective.
   void fill_predicted_ends(const VelocityFields& predicted, GhostPlanes which);
   /// The same of the state, all fields. Collective.

@@ -158,7 +158,7 @@ void FlowSolver::advance(double dt, const PredictedFlowHook& hook) {
     const Substep s = m.substep(l);
     elapsed += s.alpha * dt;
     if (m.open.any()) {
-      settle();
+      settle();  // what flows out depends on the corrected velocity at the sides
       m.open.advance(m.velocity(), m.time + elapsed, s.alpha * dt);
     }
     m.predict(s, dt);

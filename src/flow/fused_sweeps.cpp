@@ -49,9 +49,7 @@ class FusedSweeps::OldRows {
       return;
     }
     (*velocity_)(j);
-    fill_row_ghosts(to_.u.at_row(j), parts_.rules[0], nx, j, k_);
-    fill_row_ghosts(to_.v.at_row(j), parts_.rules[1], nx, j, k_);
-    fill_row_ghosts(to_.w.at_row(j), parts_.rules[2], nx, j, k_);
+    parts_.fill_row(to_, j, k_);
     if (!pressure_) return;
     (*pressure_)(j);
     fill_row_ghosts(p_.at_row(j), parts_.rules_p, nx, j, k_);
@@ -64,9 +62,7 @@ class FusedSweeps::OldRows {
       for (const int j : {-1, ny}) row(j);
       return;
     }
-    fill_ghost_rows(to_.u, parts_.rules[0], nx, ny, k_);
-    fill_ghost_rows(to_.v, parts_.rules[1], nx, ny, k_);
-    fill_ghost_rows(to_.w, parts_.rules[2], nx, ny, k_);
+    parts_.fill_rows_beyond(to_, k_);
     if (pressure_) fill_ghost_rows(p_, parts_.rules_p, nx, ny, k_);
   }
 
@@ -168,7 +164,7 @@ void FusedSweeps::prefetch_for_next_row(int j, int k) const {
 
 void FusedSweeps::predict(const Substep& s, const MomentumFactors& factors, double dt) {
   auto& m = parts_;
-  const int nz = m.grid.nz(), nx = m.grid.nx(), ny = m.grid.ny();
+  const int nz = m.grid.nz(), ny = m.grid.ny();
   if (pending_) find_increment();
   HelmholtzAdi* solve = m.is_implicit() ? m.begin_viscous(s, dt) : nullptr;
   {
@@ -199,18 +195,11 @@ void FusedSweeps::predict(const Substep& s, const MomentumFactors& factors, doub
         if (below && j + 1 == ny) below->ghost_rows();
         prefetch_for_next_row(j, k);
         momentum(j);
-        if (solve != nullptr) {
-          FlowParts::begin_viscous_row(solve, out, j, k);
-        } else {
-          fill_row_ghosts(out.u.at_row(j), m.rules[0], nx, j, k);
-          fill_row_ghosts(out.v.at_row(j), m.rules[1], nx, j, k);
-          fill_row_ghosts(out.w.at_row(j), m.rules[2], nx, j, k);
-        }
+        if (solve != nullptr) FlowParts::begin_viscous_row(solve, out, j, k);
+        else m.fill_row(out, j, k);
       }
       if (solve == nullptr) {
-        fill_ghost_rows(out.u, m.rules[0], nx, ny, k);
-        fill_ghost_rows(out.v, m.rules[1], nx, ny, k);
-        fill_ghost_rows(out.w, m.rules[2], nx, ny, k);
+        m.fill_rows_beyond(out, k);
         continue;
       }
     }
@@ -224,8 +213,6 @@ void FusedSweeps::predict(const Substep& s, const MomentumFactors& factors, doub
 double FusedSweeps::project(const CorrectionFactors& factors, bool wants_rate) {
   const double rate = parts_.begin_projection(predicted(), factors.dt_alpha, wants_rate);
   pending_ = factors;
-  // What flows out in the next substep depends on the corrected velocity at the sides.
-  if (parts_.open.any()) settle();
   return rate;
 }
 
