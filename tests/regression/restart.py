@@ -205,8 +205,8 @@ def wall_clock(ranks):
 
 
 def full_disk(folder):
-    """A limit on the size of files stands for the full disk; it comes once checkpoints, which are larger, are there."""
-    prepare(folder, ENDLESS.replace("history.every = 7", "history.every = 1000"))
+    """A limit on the size of files stands for the full disk; it comes once checkpoints are there, the only large files."""
+    prepare(folder, ENDLESS.replace("history.every = 7", "history.every = 1000").replace("surfaces.every = 90\n", ""))
     out = os.path.join(folder, "out")
     process = harness.start("run", folder, "--out", out, restore_signals=False,
                             preexec_fn=lambda: signal.signal(signal.SIGXFSZ, signal.SIG_IGN))
