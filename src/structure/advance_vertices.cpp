@@ -2,17 +2,17 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "core/error.hpp"
+#include "structure/body_forces.hpp"
 
 namespace pliant {
 
 void advance_vertices(DeformableBody& body, const ShapeState& shape, const VertexLoads& loads, double step) {
-  std::copy(loads.forces.begin(), loads.forces.end(), body.forces.begin());
-  body.potentials.add_forces(shape, body.forces);
+  find_body_forces(body, shape, body.forces);
   for (std::size_t v = 0; v < body.positions.size(); ++v) {
+    body.forces[v] += loads.forces[v];
     const double rate = step / body.masses[v];
     const Vec3 driven = body.velocities[v] + rate * (body.forces[v] + loads.drag[v] * loads.flow_velocities[v]);
     body.velocities[v] = driven / (1.0 + rate * (loads.drag[v] + body.damping));

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "mesh/geometry.hpp"
+#include "structure/body_forces.hpp"
 
 namespace pliant {
 namespace {
@@ -56,9 +57,8 @@ double find_largest_frequency(const DeformableBody& body) {
     const auto forces_at = [&](double signed_step, std::vector<Vec3>& forces) {
       for (std::size_t v = 0; v < n; ++v)
         moved[v] = body.positions[v] + signed_step / std::sqrt(body.masses[v]) * iterate[v];
-      std::fill(forces.begin(), forces.end(), Vec3{});
       shape.update(moved);
-      body.potentials.add_forces(shape, forces);
+      find_body_forces(body, shape, forces);
     };
     forces_at(step, ahead);
     forces_at(-step, behind);
