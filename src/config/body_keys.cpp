@@ -14,7 +14,7 @@ void add_motion(std::vector<BodyKey>& keys) {
   add_motion_keys(keys);
   keys.push_back(deformable(make_key<BodyConfig>(
       {"mass_per_vertex", "mass", "of each vertex in Newton's law"}, [](auto& b) { return &b.mass_per_vertex; },
-      positive())));
+      at_least(0))));
   keys.push_back(deformable(make_key<BodyConfig>(
       {"damping", "mass / time", "force of -damping times the velocity of a vertex"},
       [](auto& b) { return &b.damping; }, at_least(0))));

@@ -217,9 +217,9 @@ struct PotentialsConfig {
 };
 
 enum class MotionKind { fixed, prescribed, rigid, hinge, deformable };
-/// one-way: the flow does not feel the body; loose, strong: who moves when, of rigid and hinged bodies; automatic:
-/// loose or strong by the added-mass ratio.
-enum class CouplingKind { automatic, one_way, loose, strong };
+/// one-way: the flow does not feel the body; loose, strong: who moves when, once a step or until they agree;
+/// force-spreading, local-mass: deformable bodies move with the flow in each substep; automatic: by the mass ratio.
+enum class CouplingKind { automatic, one_way, loose, strong, force_spreading, local_mass };
 /// What moves a rigid or hinged body: the momentum balance of its forcing, or the stress at the ends of its probes.
 enum class LoadSource { momentum_balance, probes };
 
@@ -275,6 +275,8 @@ struct BodyConfig {
   std::optional<double> marker_retraction;  ///< spacings; default: transfer's, 0 for deformable bodies
   bool thin_sheet = true;                   ///< of an open surface: forces along it as a sheet without thickness takes
   double mass_per_vertex = 1.0;
+  bool held = false;              ///< its mean velocity is kept zero
+  bool volume_correction = true;  ///< of a closed body that moves with the flow
   double damping = 0.0;         ///< force = -damping * velocity of the vertex
   std::optional<int> substeps;  ///< within a fluid step; else found from the stability limit
   TractionConfig traction;

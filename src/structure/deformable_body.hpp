@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,6 +20,7 @@ struct DeformableBody {
   std::vector<Vec3> forces;     ///< internal and external at the last substep, drag and damping left out
   std::vector<Vec3> reference;  ///< positions at the start, which the potentials refer to
   std::vector<double> masses;
+  std::vector<std::uint8_t> pinned;             ///< 1: does not move; empty: all move
   std::vector<double> reference_areas;  ///< a third of the area of the faces around the vertex, at the start
   double radius = 0;                    ///< of the sphere of the same volume at the start
   PotentialSet potentials;
@@ -27,5 +29,9 @@ struct DeformableBody {
   std::optional<int> substeps;   ///< as given; else from the stability limit
   double largest_frequency = 0;  ///< of the internal forces at the start, radians / time; see find_largest_frequency
 };
+
+inline bool is_pinned(const DeformableBody& body, std::size_t vertex) {
+  return !body.pinned.empty() && body.pinned[vertex] != 0;
+}
 
 }  // namespace pliant

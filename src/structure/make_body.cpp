@@ -40,9 +40,9 @@ TractionConfig resolve(const TractionConfig& given, MotionKind motion, double me
 }
 
 DeformableBody make_body(const BodyConfig& config, Surface surface, double mean_spacing) {
-  if (!(config.mass_per_vertex > 0))
+  if (!(config.mass_per_vertex >= 0))
     throw InputError(
-        fmt::format("body '{}': mass_per_vertex = {} must be positive", config.name, config.mass_per_vertex));
+        fmt::format("body '{}': mass_per_vertex = {} must not be negative", config.name, config.mass_per_vertex));
   const std::size_t n = surface.positions.size();
   DeformableBody body;
   body.name = config.name;
@@ -60,7 +60,7 @@ DeformableBody make_body(const BodyConfig& config, Surface surface, double mean_
   body.reference = surface.positions;
   body.positions = std::move(surface.positions);
   body.mesh = std::move(surface.mesh);
-  if (body.motion != MotionKind::deformable) return body;
+  if (body.motion != MotionKind::deformable || config.mass_per_vertex == 0) return body;
   body.largest_frequency = find_largest_frequency(body);
   if (!std::isfinite(body.largest_frequency))
     throw InputError(fmt::format(

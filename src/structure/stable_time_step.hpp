@@ -1,4 +1,7 @@
 #pragma once
+#include <span>
+#include <string>
+
 #include "structure/deformable_body.hpp"
 
 namespace pliant {
@@ -7,6 +10,8 @@ namespace pliant {
 /// of M^-1/2 K M^-1/2, K the derivative of the internal forces, by power iteration with differences of forces along the
 /// iterate. Starts from a fixed vector; the estimate comes from below, usually within 1 %. 0 without potentials.
 double find_largest_frequency(const DeformableBody& body);
+/// The same for other masses than the body's own, all positive; one a vertex. Pinned vertices do not move.
+double find_largest_frequency(const DeformableBody& body, std::span<const double> masses);
 
 /// Longest stable step of advance_vertices for a vertex of frequency omega whose drag over mass is at least
 /// `drag_rate`: (omega h)^2 < 4 + 2 drag_rate h. Without drag h < 2 / omega. Infinite for omega = 0.
@@ -14,5 +19,13 @@ double stable_time_step(double omega, double drag_rate);
 
 /// The same for a body: its stored largest frequency, and its damping and the least of the given drags as the drag.
 double stable_time_step(const DeformableBody& body, std::span<const double> drag);
+
+/// Fraction of the stability limit that a substep takes: the limit is that of the start, and bodies stiffen as they
+/// deform.
+inline constexpr double substep_safety = 0.7;
+
+/// Substeps into which a body that is stable up to `limit` divides `time`. Throws RunError if these are more than a
+/// million.
+int substeps_for(double time, double limit, const std::string& body);
 
 }  // namespace pliant
