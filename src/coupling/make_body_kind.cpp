@@ -139,7 +139,7 @@ void require_enough_markers(const BodyKind& kind, const CaseConfig& config, cons
 BodyKind make_body_kind(const CaseConfig& config, std::size_t index, Surface shape, const Grid& grid) {
   BodyKind kind;
   kind.config = config.bodies[index];
-  kind.prototype = make_body(kind.config, std::move(shape), grid.mean_spacing());
+  kind.prototype = make_body(kind.config, std::move(shape), grid.mean_spacing(), config.fluid.density);
   auto& body = kind.prototype;
   const bool closed = body.mesh.is_closed();
   MassProperties material;
