@@ -17,6 +17,11 @@ BodyKey when_massive(BodyKey key) {
   return only_when<BodyConfig>(std::move(key), "motion is \"rigid\" or \"hinge\"", has_mass);
 }
 
+BodyKey when_material(BodyKey key) {
+  return only_when<BodyConfig>(std::move(key), "motion is \"rigid\", \"hinge\" or \"deformable\"",
+                               [](const BodyConfig& b) { return has_mass(b) || b.motion == MotionKind::deformable; });
+}
+
 /// The text of a path has a legal empty value: no displacement.
 BodyKey path_key(const std::string& name, const std::string& unit, const std::string& doc,
                  std::string PathConfig::*member) {
@@ -41,11 +46,13 @@ void add_path(std::vector<BodyKey>& keys) {
 }
 
 void add_material(std::vector<BodyKey>& keys) {
-  keys.push_back(when_massive(make_key<BodyConfig>(
+  keys.push_back(when_material(make_key<BodyConfig>(
       {"density", "mass / length^3", "of the body's material; default: the fluid's"},
       [](auto& b) { return &b.material.density; }, positive())));
-  keys.push_back(when_massive(make_key<BodyConfig>(
-      {"thickness", "length", "of the wall of a hollow or open body; 0: a solid, which must be closed"},
+  keys.push_back(when_material(make_key<BodyConfig>(
+      {"thickness", "length",
+       "of the wall of a hollow, open or deformable body; 0: a solid, which must be closed, or, if deformable, a "
+       "surface whose mass and stiffness are given otherwise"},
       [](auto& b) { return &b.material.thickness; }, at_least(0))));
   keys.push_back(when_massive(make_key<BodyConfig>(
       {"mass", "mass", "instead of what density makes; the inertia is scaled along"},

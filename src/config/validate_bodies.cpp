@@ -65,12 +65,6 @@ class MotionValidator {
     if (is_soft && body.motion != MotionKind::deformable)
       complain("coupling", fmt::format("is \"{}\", which moves the vertices of deformable bodies, but motion is \"{}\"",
                                        word, word_for(body.motion)));
-    const bool needs_mass = body.coupling == CouplingKind::one_way || body.coupling == CouplingKind::loose ||
-                            body.coupling == CouplingKind::strong;
-    if (body.motion == MotionKind::deformable && needs_mass && body.mass_per_vertex == 0)
-      complain("mass_per_vertex", fmt::format("is 0, but coupling is \"{}\", where vertices move by Newton's law; give a "
-                                              "mass, or coupling = \"force-spreading\"",
-                                              word));
     const bool is_free = body.motion == MotionKind::rigid || body.motion == MotionKind::hinge;
     if (is_free && body.coupling == CouplingKind::one_way)
       complain("coupling", fmt::format("is \"{}\", but what moves a body with motion = \"{}\" is its action on the "

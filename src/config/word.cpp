@@ -107,4 +107,27 @@ Words<StrongScheme> words_of<StrongScheme>() {
   return {{"aitken", StrongScheme::aitken}, {"hamming", StrongScheme::hamming}};
 }
 
+template <>
+Words<MembraneLaw> words_of<MembraneLaw>() {
+  return {{"neo-hookean", MembraneLaw::neo_hookean}, {"skalak", MembraneLaw::skalak}};
+}
+
+template <>
+Words<PlaneSide> words_of<PlaneSide>() {
+  return {{"on", PlaneSide::on}, {"beyond", PlaneSide::beyond}};
+}
+
+template <>
+Words<CordEnds> words_of<CordEnds>() {
+  return {{"each", CordEnds::each}, {"middle", CordEnds::middle}};
+}
+
+template <>
+Words<PartKind> words_of<PartKind>() {
+  return {{"selection", PartKind::selection},
+          {"tether", PartKind::tether},
+          {"cord", PartKind::cord},
+          {"pull", PartKind::pull}};
+}
+
 }  // namespace pliant

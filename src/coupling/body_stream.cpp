@@ -37,6 +37,8 @@ void read_body(ByteReader& in, const BodyKind& kind, Body& body) {
   in.read(body.origin);
   in.read(body.start);
   in.read(body.start_orientation);
+  body.surface.origin = body.origin;
+  body.surface.orientation = body.start_orientation;
   in.read(body.pose);
   in.read(body.acceleration);
   in.read(body.hinge);

@@ -32,7 +32,7 @@ void ForceSpreading::adopt_flow(const FlowState& flow) {
   for (const auto& part : transfer_.parts()) {
     auto& surface = part.body->surface;
     for (std::size_t v = 0; v < surface.velocities.size(); ++v)
-      surface.velocities[v] = is_pinned(surface, v) ? Vec3{} : velocities_[part.begin + v];
+      surface.velocities[v] = surface.is_pinned(v) ? Vec3{} : velocities_[part.begin + v];
     part.body->mass_velocities = surface.velocities;
     part.body->pose.center = mean_position(surface.positions);
   }
@@ -60,7 +60,7 @@ void ForceSpreading::before(const Substep& substep, double dt) {
   // What holds a pinned vertex is not the flow.
   for (const auto& part : transfer_.parts())
     for (std::size_t v = 0; v < part.size(); ++v)
-      if (is_pinned(part.body->surface, v)) forces_[part.begin + v] = {};
+      if (part.body->surface.is_pinned(v)) forces_[part.begin + v] = {};
   transfer_.spread_forces(forces_);
   transfer_.fields().hand_over();
   for (Vec3& f : forces_) f *= time;
@@ -81,7 +81,7 @@ void ForceSpreading::predicted(const Substep&, double, View<FaceX> u, View<FaceY
       const double fluid = layer() * transfer_.areas()[i], mass = surface.masses[n];
       const Vec3 held = before - mean;
       Vec3& own = body.mass_velocities[n];
-      own = is_pinned(surface, n) ? Vec3{} : (mass * own + fluid * held) / (mass + fluid);
+      own = surface.is_pinned(n) ? Vec3{} : (mass * own + fluid * held) / (mass + fluid);
       increments[i] = own - before;
     }
   }
@@ -100,7 +100,7 @@ void ForceSpreading::corrected(const Substep& substep, double dt, const FlowStat
     auto& surface = part.body->surface;
     const Vec3 mean = part.kind->config.held ? mean_of(part, part.of(velocities_)) : Vec3{};
     for (std::size_t v = 0; v < surface.velocities.size(); ++v)
-      surface.velocities[v] = is_pinned(surface, v) ? Vec3{} : velocities_[part.begin + v] - mean;
+      surface.velocities[v] = surface.is_pinned(v) ? Vec3{} : velocities_[part.begin + v] - mean;
   }
   drift(0.5 * substep.alpha * dt);
 }

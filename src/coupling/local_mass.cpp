@@ -18,7 +18,7 @@ void LocalMass::adopt_flow(const FlowState& flow) {
   for (const auto& part : transfer_.parts()) {
     auto& surface = part.body->surface;
     for (std::size_t v = 0; v < surface.velocities.size(); ++v)
-      surface.velocities[v] = is_pinned(surface, v) ? Vec3{} : velocities_[part.begin + v];
+      surface.velocities[v] = surface.is_pinned(v) ? Vec3{} : velocities_[part.begin + v];
     part.body->pose.center = mean_position(surface.positions);
   }
 }
@@ -36,7 +36,7 @@ void LocalMass::advance(const VertexTransfer::Part& part, double time) {
   for (int n = 0; n < substeps; ++n) {
     find_nodal_forces(*part.body, *part.kind, shape_of(part), gravity_, density_, forces_);
     for (std::size_t v = 0; v < n_vertices; ++v) {
-      if (is_pinned(surface, v)) continue;
+      if (surface.is_pinned(v)) continue;
       surface.velocities[v] += (step / masses_[v]) * forces_[v];
       surface.positions[v] += step * surface.velocities[v];
     }
@@ -53,7 +53,7 @@ void LocalMass::predicted(const Substep& substep, double dt, View<FaceX> u, View
     const std::size_t n_vertices = part.size();
     for (std::size_t n = 0; n < n_vertices; ++n) {
       const double fluid = layer() * transfer_.areas()[part.begin + n], mass = surface.masses[n];
-      surface.velocities[n] = is_pinned(surface, n)
+      surface.velocities[n] = surface.is_pinned(n)
                                   ? Vec3{}
                                   : (mass * surface.velocities[n] + fluid * velocities_[part.begin + n]) / (mass + fluid);
     }

@@ -140,7 +140,7 @@ void set_softness(BodyKind& kind, const CaseConfig& config, const Grid& grid) {
   auto masses = body.masses;
   for (std::size_t v = 0; v < masses.size(); ++v)
     masses[v] += config.fluid.density * grid.mean_spacing() * body.reference_areas[v];
-  kind.layered_limit = stable_time_step(find_largest_frequency(body, masses), 0);
+  kind.layered_limit = stable_time_step(find_largest_frequency(body, masses), 0, find_largest_damping_rate(body, masses));
 }
 
 /// A marker that stands for more than about two cells overshoots, and the flow blows up.
@@ -161,7 +161,7 @@ void require_enough_markers(const BodyKind& kind, const CaseConfig& config, cons
 BodyKind make_body_kind(const CaseConfig& config, std::size_t index, Surface shape, const Grid& grid) {
   BodyKind kind;
   kind.config = config.bodies[index];
-  kind.prototype = make_body(kind.config, std::move(shape), grid.mean_spacing());
+  kind.prototype = make_body(kind.config, std::move(shape), grid.mean_spacing(), config.fluid.density);
   auto& body = kind.prototype;
   const bool closed = body.mesh.is_closed();
   MassProperties material;

@@ -34,11 +34,11 @@ double restore_volume(DeformableBody& body, double volume) {
     }
     double slope = 0;
     for (std::size_t v = 0; v < gradient.size(); ++v)
-      if (!is_pinned(body, v)) slope += dot(gradient[v], gradient[v]) / areas[v];
+      if (!body.is_pinned(v)) slope += dot(gradient[v], gradient[v]) / areas[v];
     if (!(slope > 0)) break;
     const double amount = (volume - present) / slope;
     for (std::size_t v = 0; v < gradient.size(); ++v)
-      if (!is_pinned(body, v)) body.positions[v] += (amount / areas[v]) * gradient[v];
+      if (!body.is_pinned(v)) body.positions[v] += (amount / areas[v]) * gradient[v];
     present = enclosed_volume(body.mesh, body.positions);
   }
   return present - first;

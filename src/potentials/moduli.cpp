@@ -23,6 +23,33 @@ std::vector<double> van_gelder_stiffness(const TriangleMesh& mesh, std::span<con
   return stiffness;
 }
 
+FibreStiffness fibre_stiffness(Vec3 direction, double young_along, double young_across) {
+  const double ratio = young_along / young_across;
+  const double along = young_along / (1.0 - (1.0 + ratio) * (1.0 + ratio) / (36.0 * ratio));  // C_11
+  const double across = along / ratio;
+  return {normalized(direction), 4.0 / 9.0 * (along + across), 2.0 / 3.0 * (along - across)};
+}
+
+std::vector<double> fibre_network_stiffness(const TriangleMesh& mesh, std::span<const Vec3> reference,
+                                            const FibreStiffness& fibre, double thickness) {
+  auto stiffness = van_gelder_stiffness(mesh, reference, 1.0, thickness);
+  const auto faces = mesh.vertices_of_face();
+  for (int e = 0; e < mesh.n_edges(); ++e) {
+    const auto [a, b] = mesh.vertices_of_edge()[e];
+    const auto [first, second] = mesh.faces_of_edge()[e];
+    Vec3 normal = normalized(face_vector(faces[first], reference));
+    if (second >= 0) normal += normalized(face_vector(faces[second], reference));
+    normal = normalized(normal);
+    const Vec3 in_plane = fibre.direction - dot(fibre.direction, normal) * normal;
+    const double length = norm(in_plane);
+    const double cosine =
+        length > 1e-6 ? dot(in_plane, reference[b] - reference[a]) / (length * norm(reference[b] - reference[a])) : 0;
+    const double twice = length > 1e-6 ? 2.0 * cosine * cosine - 1.0 : 0.0;
+    stiffness[e] *= fibre.mean + fibre.swing * twice;
+  }
+  return stiffness;
+}
+
 double bending_modulus(double young, double thickness, double poisson) {
   return young * thickness * thickness * thickness / (12.0 * (1.0 - poisson * poisson));
 }

@@ -14,6 +14,22 @@ namespace pliant {
 std::vector<double> van_gelder_stiffness(const TriangleMesh& mesh, std::span<const Vec3> reference, double young,
                                          double thickness);
 
+/// A network that is stiffer along a fibre than across it: the stiffness of an edge at an angle phi to the fibre,
+/// projected on the surface, is that of an isotropic network of modulus mean + swing cos(2 phi).
+///
+/// Springs whose directions are evenly spread have C_11 = 3 (3 mean + 2 swing) / 8, C_22 = 3 (3 mean - 2 swing) / 8 and
+/// C_12 = C_66 = 3 mean / 8 along and across the fibre; mean and swing are such that Young's moduli E_i = C_ii
+/// (1 - C_12^2 / (C_11 C_22)) are those given. Where few directions occur, as in a lattice, it is an approximation.
+struct FibreStiffness {
+  Vec3 direction;
+  double mean, swing;
+};
+/// The ratio of the moduli must lie in 0.2 .. 5, else edges would push.
+FibreStiffness fibre_stiffness(Vec3 direction, double young_along, double young_across);
+/// van_gelder_stiffness with that modulus on each edge. Where the fibre stands on the surface, mean counts.
+std::vector<double> fibre_network_stiffness(const TriangleMesh& mesh, std::span<const Vec3> reference,
+                                            const FibreStiffness& fibre, double thickness);
+
 /// B = E h^3 / (12 (1 - nu^2)).
 double bending_modulus(double young, double thickness, double poisson);
 

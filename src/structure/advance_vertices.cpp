@@ -13,6 +13,10 @@ void advance_vertices(DeformableBody& body, const ShapeState& shape, const Verte
   find_body_forces(body, shape, body.forces);
   for (std::size_t v = 0; v < body.positions.size(); ++v) {
     body.forces[v] += loads.forces[v];
+    if (body.is_pinned(v)) {
+      body.velocities[v] = {};
+      continue;
+    }
     const double rate = step / body.masses[v];
     const Vec3 driven = body.velocities[v] + rate * (body.forces[v] + loads.drag[v] * loads.flow_velocities[v]);
     body.velocities[v] = driven / (1.0 + rate * (loads.drag[v] + body.damping));

@@ -49,6 +49,48 @@ TEST(Moduli, VanGelderGivesBackYoungsModulus) {
   EXPECT_NEAR(equilateral_moduli(std::sqrt(3.0) / 2 * young * thickness).young, young * thickness, 1e-12);
 }
 
+TEST(Moduli, FibresStretchAsTheirModuliSay) {
+  // A sheet whose edges have every direction alike: the mean over lattices that are turned bit by bit.
+  const auto patch = make_lattice_patch(6);
+  const double along = 12.0, across = 4.0, thickness = 0.5;
+  std::array<double, 4> stiffness{};  // C_11, C_22, C_12, C_66
+  constexpr int turns = 12;
+  for (int n = 0; n < turns; ++n) {
+    const double turn = n * std::numbers::pi / 3 / turns;
+    const Vec3 fibre{std::cos(turn), std::sin(turn), 0}, other{-std::sin(turn), std::cos(turn), 0};
+    EdgeSprings springs{
+        fibre_network_stiffness(patch.mesh, patch.positions, fibre_stiffness(fibre, along, across), thickness),
+        edge_lengths(patch.mesh, patch.positions)};
+    const auto energy = [&](double e11, double e22, double e12) {
+      auto moved = patch.positions;
+      for (Vec3& x : moved) {
+        const double p = dot(x, fibre), q = dot(x, other);
+        x += (e11 * p + e12 * q) * fibre + (e12 * p + e22 * q) * other;
+      }
+      return springs.energy(ShapeState(patch.mesh, moved)) / total_area(patch.mesh, patch.positions);
+    };
+    constexpr double e = 1e-5;
+    const auto second = [&](double e11, double e22, double e12) {
+      return (energy(e * e11, e * e22, e * e12) + energy(-e * e11, -e * e22, -e * e12)) / (e * e * turns);
+    };
+    stiffness[0] += second(1, 0, 0);
+    stiffness[1] += second(0, 1, 0);
+    stiffness[2] += 0.5 * (second(1, 1, 0) - second(1, 0, 0) - second(0, 1, 0));
+    stiffness[3] += 0.25 * second(0, 0, 1);
+  }
+  const auto [c11, c22, c12, c66] = stiffness;
+  EXPECT_NEAR(c11 - c12 * c12 / c22, along * thickness, 1e-4);
+  EXPECT_NEAR(c22 - c12 * c12 / c11, across * thickness, 1e-4);
+  EXPECT_NEAR(c12, c66, 1e-4);
+}
+
+TEST(Moduli, EqualFibresAreNone) {
+  const auto s = deformed_sphere(2, 3);
+  const auto plain = van_gelder_stiffness(s.mesh, s.positions, 7.0, 0.3);
+  const auto fibres = fibre_network_stiffness(s.mesh, s.positions, fibre_stiffness({1, 2, 0}, 7.0, 7.0), 0.3);
+  for (std::size_t e = 0; e < plain.size(); ++e) EXPECT_NEAR(fibres[e], plain[e], 1e-12);
+}
+
 TEST(Moduli, HingesOfALatticeBendAsTheSheetDoes) {
   const double b = bending_modulus(12.0, 0.5, 0.5);
   EXPECT_NEAR(b, 12.0 * 0.125 / 12 / 0.75, 1e-15);
