@@ -371,9 +371,10 @@ struct ImmersedBoundaryConfig {
   int forcing_iterations = 1;
 };
 
-enum class StrongScheme { aitken, hamming };
+/// automatic: quasi-newton where deformable bodies are coupled strongly, else aitken.
+enum class StrongScheme { automatic, aitken, quasi_newton, hamming };
 struct CouplingConfig {
-  StrongScheme scheme = StrongScheme::aitken;
+  StrongScheme scheme = StrongScheme::automatic;
   /// Largest change of a velocity between iterations, over the largest velocity. Interpolation jumps by about 1e-5
   /// where a marker changes its nodes, and light bodies multiply that by their added mass.
   double tolerance = 1e-4;

@@ -125,7 +125,7 @@ void add_motion_keys(std::vector<BodyKey>& keys) {
                                        "vertices move with the flow, substep by substep (docs/coupling.md); "
                                        "auto: by the mass ratio"},
                                       [](auto& b) { return &b.coupling; }));
-  keys.push_back(when_massive(make_key<BodyConfig>(
+  keys.push_back(when_material(make_key<BodyConfig>(
       {"loads", "", "what moves the body: the momentum balance of its forcing, or the stress at its probes (traction)"},
       [](auto& b) { return &b.loads; })));
   keys.push_back(only_when<BodyConfig>(
@@ -175,7 +175,8 @@ void add_interaction_keys(std::vector<Key<CaseConfig>>& keys) {
        "times that velocities are compared and forces spread within a substep"},
       [](auto& c) { return &c.immersed_boundary.forcing_iterations; }, between(1, 100)));
   add(make_key<CaseConfig>({"coupling.scheme", "",
-                            "of strong coupling: fixed point with Aitken relaxation, or Hamming's predictor-corrector"},
+                            "of strong coupling: fixed point with Aitken relaxation or by interface quasi-Newton, or Hamming's "
+                            "predictor-corrector; auto: quasi-newton for deformable bodies, else aitken"},
                            [](auto& c) { return &c.coupling.scheme; }));
   add(make_key<CaseConfig>(
       {"coupling.tolerance", "",

@@ -104,7 +104,10 @@ Words<LoadSource> words_of<LoadSource>() {
 
 template <>
 Words<StrongScheme> words_of<StrongScheme>() {
-  return {{"aitken", StrongScheme::aitken}, {"hamming", StrongScheme::hamming}};
+  return {{"auto", StrongScheme::automatic},
+          {"aitken", StrongScheme::aitken},
+          {"quasi-newton", StrongScheme::quasi_newton},
+          {"hamming", StrongScheme::hamming}};
 }
 
 template <>

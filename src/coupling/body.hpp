@@ -47,6 +47,10 @@ struct BodyKind {
   bool has_pose() const { return config.motion != MotionKind::deformable; }
   /// Its pose follows from loads.
   bool is_free() const { return config.motion == MotionKind::rigid || config.motion == MotionKind::hinge; }
+  /// Stress at probes moves it, not the momentum balance.
+  bool is_driven_by_probes() const {
+    return (is_free() || (!has_pose() && forces_flow())) && config.loads == LoadSource::probes;
+  }
 };
 
 /// What the flow does to a body, torques about its centre, means or values of the last step.
@@ -80,6 +84,8 @@ struct Body {
   double hinge_acceleration = 0;
   RigidState told, told_before;  ///< pose and motion that the flow was last told, and in the step before
   BodyLoads loads;
+  std::vector<Vec3> told_positions, told_velocities;  ///< of deformable bodies that the flow has to follow
+  std::vector<Vec3> flow_forces, accelerations;       ///< of these, by vertex, in the last step
   std::vector<Vec3> mass_velocities;  ///< of a soft body's own mass (force-spreading)
   double volume_restored = 0;         ///< since the start, over the volume
   std::vector<double> scheme;       ///< what the strong scheme remembers from step to step

@@ -30,7 +30,7 @@ CoupledFlow::CoupledFlow(const CaseConfig& config, FlowSolver& flow, Bodies& bod
     if (kind.coupling == CouplingKind::local_mass && !local_mass_) local_mass_.emplace(flow.grid(), config, bodies);
     is_two_way_ |= kind.acts_on_flow();
     has_strong_ |= kind.coupling == CouplingKind::strong;
-    has_probe_driven_ |= kind.is_free() && kind.config.loads == LoadSource::probes;
+    has_probe_driven_ |= kind.is_driven_by_probes();
     has_one_way_ |= !kind.has_pose() && !kind.acts_on_flow();
   }
   if (start == RunStart::anew && force_spreading_) force_spreading_->adopt_flow(flow_.state());

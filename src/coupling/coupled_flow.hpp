@@ -4,6 +4,7 @@
 #include "coupling/advance_body.hpp"
 #include "coupling/contact.hpp"
 #include "coupling/force_spreading.hpp"
+#include "coupling/forced_vertices.hpp"
 #include "coupling/immersed_boundary.hpp"
 #include "coupling/local_mass.hpp"
 #include "flow/flow_solver.hpp"
@@ -40,6 +41,8 @@ class CoupledFlow {
   RigidLoad load_on(const Body& body) const;
   /// Ends the step of bodies that move with the flow. Collective. Throws CollectiveError.
   void finish_soft_bodies(double step);
+  /// What moves the vertices of deformable bodies besides the flow.
+  NodalSurroundings nodal_surroundings() const { return {config_.forcing.gravity, config_.fluid.density}; }
   /// The step is done: what the flow was told becomes what it was told before.
   void accept();
 

@@ -179,7 +179,7 @@ BodyKind make_body_kind(const CaseConfig& config, std::size_t index, Surface sha
   if (kind.config.motion == MotionKind::hinge) set_hinge(kind, material);
   if (kind.config.motion == MotionKind::prescribed) set_path(kind, config);
   kind.probes.form = probe_form(body.traction.form);
-  kind.probes.wetting = closed ? Wetting::outside : Wetting::both_sides;
+  kind.probes.wetting = closed && kind.has_pose() ? Wetting::outside : Wetting::both_sides;
   if (kind.retraction == 0 && !kind.is_thin_sheet()) kind.probes.offset = forced_surface_offset * grid.mean_spacing();
   kind.probes.length = body.traction.probe_length;
   kind.probes.density = config.fluid.density;

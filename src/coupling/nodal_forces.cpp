@@ -18,6 +18,16 @@ void find_nodal_forces(const Body& body, const BodyKind& kind, const ShapeState&
   }
 }
 
+void remove_mean(std::span<const double> masses, std::span<Vec3> velocities) {
+  Vec3 momentum;
+  double mass = 0;
+  for (std::size_t v = 0; v < velocities.size(); ++v) {
+    momentum += masses[v] * velocities[v];
+    mass += masses[v];
+  }
+  for (Vec3& velocity : velocities) velocity -= momentum / mass;
+}
+
 // With the areas as weights the least motion is along the gradient of the volume over the area: a vertex's normal.
 double restore_volume(DeformableBody& body, double volume) {
   constexpr int most_steps = 5;

@@ -12,6 +12,9 @@ namespace pliant {
 void find_nodal_forces(const Body& body, const BodyKind& kind, const ShapeState& shape, Vec3 gravity,
                        double fluid_density, std::span<Vec3> forces);
 
+/// Takes the mean, weighted by mass, from velocities.
+void remove_mean(std::span<const double> masses, std::span<Vec3> velocities);
+
 /// Moves the vertices of a closed body by as little as possible, weighted by their areas, so that it encloses `volume`;
 /// pinned ones stay. Returns the volume that this adds.
 double restore_volume(DeformableBody& body, double volume);
