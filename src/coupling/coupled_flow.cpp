@@ -136,6 +136,8 @@ void CoupledFlow::diagnose() {
   if (!is_two_way_) return;
   flow_.settle();
   if (boundary_ && last_step_ > 0) boundary_->find_reactions(bodies_, MarkerGroup::fixed, last_step_, driving());
+  if (force_spreading_) force_spreading_->measure_slip(flow_.state());
+  if (local_mass_) local_mass_->measure_slip(flow_.state());
   if (boundary_) boundary_->measure_slip(bodies_, flow_.state());
   find_stresses(bodies_, sampler_, flow_.grid(), driving(), StressOf::all);
 }

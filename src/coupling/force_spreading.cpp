@@ -26,18 +26,6 @@ ForceSpreading::ForceSpreading(const Grid& grid, const CaseConfig& config, Bodie
   }
 }
 
-void ForceSpreading::adopt_flow(const FlowState& flow) {
-  place();
-  transfer_.find_velocities(flow.u.view(), flow.v.view(), flow.w.view(), velocities_);
-  for (const auto& part : transfer_.parts()) {
-    auto& surface = part.body->surface;
-    for (std::size_t v = 0; v < surface.velocities.size(); ++v)
-      surface.velocities[v] = surface.is_pinned(v) ? Vec3{} : velocities_[part.begin + v];
-    part.body->mass_velocities = surface.velocities;
-    part.body->pose.center = mean_position(surface.positions);
-  }
-}
-
 void ForceSpreading::drift(double time) {
   for (const auto& part : transfer_.parts()) {
     auto& surface = part.body->surface;

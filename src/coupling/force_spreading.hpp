@@ -23,8 +23,6 @@ class ForceSpreading : public SoftBodies {
 
   /// The largest step that this rank's knowledge of the kinds allows; the same on all ranks, infinite without bodies.
   double step_limit() const { return step_limit_; }
-  /// At the beginning of a run: vertices take the velocity of the initial flow. Collective.
-  void adopt_flow(const FlowState& flow);
 
   /// The hooks of the flow. Collective.
   void before(const Substep& substep, double dt);

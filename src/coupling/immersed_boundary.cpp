@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "core/error.hpp"
+#include "mesh/geometry.hpp"
 #include "parallel/agree.hpp"
 
 namespace pliant {
@@ -59,6 +60,21 @@ RigidState rigid_fit(std::span<const Vec3> positions, std::span<const Vec3> velo
   fit.angular_velocity = {omega[0], omega[1], omega[2]};
   fit.velocity = mean_u + cross(fit.angular_velocity, center - mean_x);
   return fit;
+}
+
+/// Means of markers around each vertex, weighted by area.
+void adopt_vertex_velocities(Body& body, const BodyKind& kind, std::span<const Vec3> velocities,
+                             std::span<const double> areas) {
+  auto& surface = body.surface;
+  std::vector<Vec3> weighted(velocities.size());
+  for (std::size_t m = 0; m < weighted.size(); ++m) weighted[m] = areas[m] * velocities[m];
+  std::fill(surface.velocities.begin(), surface.velocities.end(), Vec3{});
+  kind.layout.add_to_vertices(weighted, surface.velocities);
+  const auto of_vertices = vertex_areas(surface.mesh, surface.positions);
+  for (std::size_t v = 0; v < of_vertices.size(); ++v) {
+    if (surface.is_pinned(v)) surface.velocities[v] = {};
+    else surface.velocities[v] *= 1 / of_vertices[v];
+  }
 }
 
 void tell(Body& body, const BodyKind& kind) {
@@ -223,7 +239,11 @@ void ImmersedBoundary::adopt_inner_motion(Bodies& bodies, const FlowState& flow)
     const auto& group = group_of(which);
     for (const Part& p : group.parts) {
       Body& body = *bodies.find(p.body);
-      if (!bodies.kind_of(body).has_pose()) continue;
+      if (!bodies.kind_of(body).has_pose()) {
+        adopt_vertex_velocities(body, bodies.kind_of(body), part(velocities, p.begin, p.end),
+                                part(group.markers.areas, p.begin, p.end));
+        continue;
+      }
       const RigidState inside =
           rigid_fit(part(group.markers.positions, p.begin, p.end), part(velocities, p.begin, p.end),
                     part(group.markers.areas, p.begin, p.end), body.pose.center);

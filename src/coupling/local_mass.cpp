@@ -12,17 +12,6 @@ namespace pliant {
 LocalMass::LocalMass(const Grid& grid, const CaseConfig& config, Bodies& bodies)
     : SoftBodies(grid, config, bodies, CouplingKind::local_mass) {}
 
-void LocalMass::adopt_flow(const FlowState& flow) {
-  place();
-  transfer_.find_velocities(flow.u.view(), flow.v.view(), flow.w.view(), velocities_);
-  for (const auto& part : transfer_.parts()) {
-    auto& surface = part.body->surface;
-    for (std::size_t v = 0; v < surface.velocities.size(); ++v)
-      surface.velocities[v] = surface.is_pinned(v) ? Vec3{} : velocities_[part.begin + v];
-    part.body->pose.center = mean_position(surface.positions);
-  }
-}
-
 // Symplectic Euler, with the layer as part of the mass.
 void LocalMass::advance(const VertexTransfer::Part& part, double time) {
   auto& surface = part.body->surface;

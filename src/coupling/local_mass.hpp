@@ -18,8 +18,6 @@ class LocalMass : public SoftBodies {
  public:
   LocalMass(const Grid& grid, const CaseConfig& config, Bodies& bodies);
 
-  /// At the beginning of a run: vertices take the velocity of the initial flow. Collective.
-  void adopt_flow(const FlowState& flow);
   /// Before the first substep.
   void begin() { place(), begin_step(); }
   /// The flow's hook between prediction and projection. Collective. Throws CollectiveError.

@@ -22,6 +22,21 @@ SoftBodies::SoftBodies(const Grid& grid, const CaseConfig& config, Bodies& bodie
                      [&](const BodyKind& kind) { return !kind.has_pose() && kind.coupling == coupling; });
 }
 
+void SoftBodies::adopt_flow(const FlowState& flow) {
+  place();
+  std::vector<Vec3> velocities;
+  transfer_.find_velocities(flow.u.view(), flow.v.view(), flow.w.view(), velocities);
+  for (const auto& part : transfer_.parts()) {
+    auto& surface = part.body->surface;
+    const auto found = part.of(velocities);
+    const Vec3 mean = part.kind->config.held ? mean_of(part, found) : Vec3{};
+    for (std::size_t v = 0; v < found.size(); ++v)
+      surface.velocities[v] = surface.is_pinned(v) ? Vec3{} : found[v] - mean;
+    part.body->mass_velocities = surface.velocities;
+    part.body->pose.center = mean_position(surface.positions);
+  }
+}
+
 const ShapeState& SoftBodies::shape_of(const VertexTransfer::Part& part) {
   auto& shape = shapes_[part.body->kind];
   if (!shape) shape.emplace(part.kind->prototype.mesh);
@@ -56,6 +71,21 @@ Vec3 SoftBodies::mean_of(const VertexTransfer::Part& part, std::span<const Vec3>
     area += a;
   }
   return sum / area;
+}
+
+void SoftBodies::measure_slip(const FlowState& flow) {
+  place();
+  std::vector<Vec3> found, normals;
+  transfer_.find_velocities(flow.u.view(), flow.v.view(), flow.w.view(), found);
+  for (const auto& part : transfer_.parts()) {
+    const auto& surface = part.body->surface;
+    normals.assign(surface.positions.size(), Vec3{});
+    for (const Face& face : surface.mesh.vertices_of_face())
+      for (int v : face) normals[static_cast<std::size_t>(v)] += face_vector(face, surface.positions);
+    for (Vec3& n : normals) n = normalized(n);
+    part.body->slip = pliant::measure_slip(part.of(found), surface.velocities, normals,
+                                           transfer_.areas().subspan(part.begin, part.size()));
+  }
 }
 
 void SoftBodies::finish(double step) {

@@ -18,9 +18,13 @@ class SoftBodies {
   /// Mass of the layer of fluid, a mean grid spacing thick, that moves with a unit of area.
   double layer() const { return density_ * spacing_; }
 
+  /// At the beginning of a run: vertices take the velocity of the initial flow. Collective.
+  void adopt_flow(const FlowState& flow);
   /// Ends a step: volumes of closed bodies, means of the forces on the flow, finite places. Collective. Throws
   /// CollectiveError.
   void finish(double step);
+  /// Sets the slip of the bodies: their vertices against the flow there. Collective.
+  void measure_slip(const FlowState& flow);
 
  protected:
   void place() { transfer_.place(bodies_, coupling_); }
