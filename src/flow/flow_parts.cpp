@@ -25,6 +25,7 @@ FlowParts::FlowParts(const Grid& g, const FlowParameters& p)
       history_u(g),
       history_v(g),
       history_w(g),
+      momentum_fluxes(g),
       phi(g, 1),
       rules{velocity_rules(p.boundary, 0), velocity_rules(p.boundary, 1), velocity_rules(p.boundary, 2)},
       rules_p(pressure_rules(p.boundary)),

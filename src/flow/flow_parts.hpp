@@ -35,6 +35,7 @@ struct FlowParts {
   Field<FaceX> history_u;  // explicit terms of the last substep
   Field<FaceY> history_v;
   Field<FaceZ> history_w;
+  FluxRows momentum_fluxes;
   Field<Center> phi;  // pressure increment
   std::array<FieldRules, 3> rules;
   FieldRules rules_p;

@@ -17,7 +17,7 @@ void PlainSweeps::predict(const Substep& s, const MomentumFactors& factors, doub
       const MomentumRows momentum(m.grid, m.parameters.viscous, history_use(s), factors, in,
                                   {out.u, out.v, out.w, m.history_u.view().at_plane(k), m.history_v.view().at_plane(k),
                                    m.history_w.view().at_plane(k)},
-                                  k);
+                                  m.momentum_fluxes, k);
       for_rows(m.grid.ny(), momentum);
     }
     if (solve == nullptr) {
