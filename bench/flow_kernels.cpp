@@ -64,7 +64,6 @@ void momentum(benchmark::State& state) {
 }
 BENCHMARK(momentum)->ArgsProduct({{64, 128, 256}, {0, 1, 2}})->ArgNames({"n", "mode"});
 
-
 void correction(benchmark::State& state) {
   Box box(static_cast<int>(state.range(0)));
   Field<Center> phi(box.grid);

@@ -33,9 +33,7 @@ inline void store(IntLanes v, int* to) { std::memcpy(to, &v, sizeof(v)); }
 
 /// Of a row in packs of lanes: the numbers one place further on, `next` being the pack behind, or one place back. Loads
 /// from there would straddle two cache lines each, and take longer than the arithmetic of a row kernel.
-inline Lanes one_on(Lanes here, Lanes next) {
-  return __builtin_shuffle(here, next, LongLanes{1, 2, 3, 4, 5, 6, 7, 8});
-}
+inline Lanes one_on(Lanes here, Lanes next) { return __builtin_shuffle(here, next, LongLanes{1, 2, 3, 4, 5, 6, 7, 8}); }
 inline Lanes one_back(Lanes previous, Lanes here) {
   return __builtin_shuffle(previous, here, LongLanes{7, 8, 9, 10, 11, 12, 13, 14});
 }

@@ -15,7 +15,7 @@ namespace pliant {
 /// while it works: all at once they would wait for each other, and the kernel behind them.
 class RowsAhead {
  public:
-  static constexpr std::size_t most = 24;
+  static constexpr std::size_t most = 18;
 
   RowsAhead() = default;
   /// Nothing but this row, which may be at hand.

@@ -155,8 +155,6 @@ RowsAhead FusedSweeps::ahead_of_row(int j, int k) const {
   ahead.add(p.at_row(next, k));
   add(planes_of(m.state, below), next);
   ahead.add(p.at_row(next, below));
-  add(ring(below), next);
-  for (const int at : {k, k - 1, k - 2}) ahead.add(phi_.place(std::max(at, 0)).at_row(next));
   return ahead;
 }
 
@@ -204,7 +202,7 @@ void FusedSweeps::predict(const Substep& s, const MomentumFactors& factors, doub
     m.end_viscous_plane(solve, predicted(), input(k), k);
   }
   pending_.reset();
-  if (solve != nullptr) m.finish_viscous(solve, predicted());
+  if (solve != nullptr) m.couple_viscous(solve);
 }
 
 double FusedSweeps::project(const CorrectionFactors& factors, bool wants_rate) {

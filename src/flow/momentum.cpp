@@ -22,11 +22,15 @@ struct RowsAround {
   const double *south, *here, *north, *below, *above;
 };
 
-// What the three components do not share: their neighbours in the other fields. Twice the velocity that carries momentum
-// through the faces of a cell around u, v or w, and the pressure over it.
+// What the three components do not share: their neighbours in the other fields. Twice the velocity that carries
+// momentum through the faces of a cell around u, v or w, and the pressure over it.
 struct AroundU {
   AroundU(const Constants&, const MomentumInput& in, int j)
-      : own(in.u, j), v(in.v.here.at_row(j)), w(in.w.here.at_row(j)), w_below(in.w.below.at_row(j)), p(in.p.at_row(j)) {}
+      : own(in.u, j),
+        v(in.v.here.at_row(j)),
+        w(in.w.here.at_row(j)),
+        w_below(in.w.below.at_row(j)),
+        p(in.p.at_row(j)) {}
   Lanes east(int i) const { return at(own.here, i) + east_of(own.here, i); }
   Lanes north(int i) const { return at(v, i) + east_of(v, i); }
   Lanes up(int i) const { return at(w, i) + east_of(w, i); }

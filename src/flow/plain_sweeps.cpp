@@ -28,7 +28,9 @@ void PlainSweeps::predict(const Substep& s, const MomentumFactors& factors, doub
       m.end_viscous_plane(solve, predicted(), in, k);
     }
   }
-  if (solve != nullptr) m.finish_viscous(solve, predicted());
+  if (solve == nullptr) return;
+  m.couple_viscous(solve);
+  m.finish_viscous(predicted());
 }
 
 double PlainSweeps::project(const CorrectionFactors& factors, bool wants_rate) {

@@ -22,8 +22,6 @@ class PoissonPlanes {
   /// Plane k, -1 <= k <= nz + 1 (nz if slabs do not hang together). Calls must descend; the two planes above the
   /// lowest one asked for stay as they are.
   ConstPlane<Center> at(int k);
-  /// Where at(k) stands or will stand, k >= 0.
-  ConstPlane<Center> place(int k) const { return is_early(k) ? phi_.view().at_plane(k) : ring_[k]; }
 
   std::size_t bytes() const { return ring_.bytes(); }
   /// Slabs that hang together need so many planes each.
@@ -32,6 +30,7 @@ class PoissonPlanes {
  private:
   void finish(Plane<Center> plane, int k);
   bool is_early(int k) const { return coupled_ && (k <= 1 || k >= planes_ - 1); }
+  Plane<Center> place(int k) { return is_early(k) ? phi_.view().at_plane(k) : ring_[k]; }
 
   Grid grid_;
   const PoissonSolver& solver_;
