@@ -55,10 +55,14 @@ HelmholtzAdi* FlowParts::begin_viscous(const Substep& s, double dt) {
   return solve;
 }
 
-void FlowParts::begin_viscous_row(HelmholtzAdi* solve, const VelocityPlane<double>& rows, int j, int k) {
-  solve[0].begin_row(rows.u.at_row(j), j, k);
-  solve[1].begin_row(rows.v.at_row(j), j, k);
-  solve[2].begin_row(rows.w.at_row(j), j, k);
+void FlowParts::begin_viscous_row(HelmholtzAdi* solve, const VelocityFields& predicted, const MomentumInput& old, int j,
+                                  int k) {
+  const auto begin = [&](HelmholtzAdi& one, auto field, const auto& planes) {
+    one.begin_row(field.at_row(j, k), field.at_row(j, k + 1), old_planes(planes), j, k);
+  };
+  begin(solve[0], predicted.u.view(), old.u);
+  begin(solve[1], predicted.v.view(), old.v);
+  begin(solve[2], predicted.w.view(), old.w);
 }
 
 void FlowParts::end_viscous_plane(HelmholtzAdi* solve, const VelocityFields& predicted, const MomentumInput& old,

@@ -52,8 +52,9 @@ struct FlowParts {
 
   /// The three implicit solves of a substep, made ready.
   HelmholtzAdi* begin_viscous(const Substep& s, double dt);
-  /// Row j of the right-hand sides of plane k goes into the solves.
-  static void begin_viscous_row(HelmholtzAdi* solve, const VelocityPlane<double>& rows, int j, int k);
+  /// Row j of the right-hand sides of plane k goes into the solves; plane k + 1 is as end_viscous_plane() left it.
+  static void begin_viscous_row(HelmholtzAdi* solve, const VelocityFields& predicted, const MomentumInput& old, int j,
+                                int k);
   /// The plane is complete; `predicted` is the whole field and holds plane k + 1 as this left it.
   void end_viscous_plane(HelmholtzAdi* solve, const VelocityFields& predicted, const MomentumInput& old, int k) const;
   /// After all planes. What is left is the substitution from the lowest plane upwards. Collective.

@@ -173,9 +173,10 @@ void FusedSweeps::predict(const Substep& s, const MomentumFactors& factors, doub
       phi_.at(std::max(m.correction_terms() == CorrectionTerms::none ? k - 1 : k - 2, -1));
     }
     const VelocityPlane<double> out = planes_of(m.state, k);
+    const MomentumInput old = input(k);
     {
       const auto scope = m.timer.measure("correction and momentum");
-      const MomentumRows momentum(m.grid, m.parameters.viscous, history_use(s), factors, input(k),
+      const MomentumRows momentum(m.grid, m.parameters.viscous, history_use(s), factors, old,
                                   {out.u, out.v, out.w, m.history_u.view().at_plane(k), m.history_v.view().at_plane(k),
                                    m.history_w.view().at_plane(k)},
                                   m.momentum_fluxes, k);
@@ -190,7 +191,7 @@ void FusedSweeps::predict(const Substep& s, const MomentumFactors& factors, doub
         if (below && j + 1 < ny) below->row(j + 1);
         if (below && j + 1 == ny) below->ghost_rows();
         momentum(j, ahead_of_row(j, k));
-        if (solve != nullptr) FlowParts::begin_viscous_row(solve, out, j, k);
+        if (solve != nullptr) FlowParts::begin_viscous_row(solve, predicted(), old, j, k);
         else m.fill_row(out, j, k);
       }
       if (solve == nullptr) {
@@ -199,7 +200,7 @@ void FusedSweeps::predict(const Substep& s, const MomentumFactors& factors, doub
       }
     }
     const auto scope = m.timer.measure("viscous solves");
-    m.end_viscous_plane(solve, predicted(), input(k), k);
+    m.end_viscous_plane(solve, predicted(), old, k);
   }
   pending_.reset();
   if (solve != nullptr) m.couple_viscous(solve);

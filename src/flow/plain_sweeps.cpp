@@ -24,7 +24,7 @@ void PlainSweeps::predict(const Substep& s, const MomentumFactors& factors, doub
       m.fill_plane(predicted(), k);
     } else {
       const auto scope = m.timer.measure("viscous solves");
-      for (int j = 0; j < m.grid.ny(); ++j) FlowParts::begin_viscous_row(solve, out, j, k);
+      for (int j = 0; j < m.grid.ny(); ++j) FlowParts::begin_viscous_row(solve, predicted(), in, j, k);
       m.end_viscous_plane(solve, predicted(), in, k);
     }
   }
