@@ -6,7 +6,6 @@ namespace pliant {
 
 inline constexpr int n_lanes = 8;
 using Lanes [[gnu::vector_size(n_lanes * sizeof(double))]] = double;
-using LongLanes [[gnu::vector_size(n_lanes * sizeof(long long))]] = long long;
 using IntLanes [[gnu::vector_size(n_lanes * sizeof(int))]] = int;
 
 inline Lanes load_lanes(const double* from) {
@@ -22,21 +21,7 @@ inline Lanes load_lanes(const double* from, int count) {
   return v;
 }
 inline void store(Lanes v, double* to) { std::memcpy(to, &v, sizeof(v)); }
-/// The first `count` of them. Reads and writes back what stands behind.
-inline void store(Lanes v, double* to, int count) {
-  if (count == n_lanes) return store(v, to);
-  const Lanes old = load_lanes(to);
-  for (int l = count; l < n_lanes; ++l) v[l] = old[l];
-  store(v, to);
-}
 inline void store(IntLanes v, int* to) { std::memcpy(to, &v, sizeof(v)); }
-
-/// Of a row in packs of lanes: the numbers one place further on, `next` being the pack behind, or one place back. Loads
-/// from there would straddle two cache lines each, and take longer than the arithmetic of a row kernel.
-inline Lanes one_on(Lanes here, Lanes next) { return __builtin_shuffle(here, next, LongLanes{1, 2, 3, 4, 5, 6, 7, 8}); }
-inline Lanes one_back(Lanes previous, Lanes here) {
-  return __builtin_shuffle(previous, here, LongLanes{7, 8, 9, 10, 11, 12, 13, 14});
-}
 
 inline bool any(IntLanes v) {
   int bits = 0;

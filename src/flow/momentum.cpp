@@ -1,15 +1,15 @@
 #include "flow/momentum.hpp"
 
-#include "core/lanes.hpp"
+#include "core/packs.hpp"
 
 namespace pliant {
 namespace {
 
 using Constants = MomentumRows::Constants;
 
-inline Lanes at(const double* row, int i) { return load_lanes(row + i); }
-inline Lanes east_of(const double* row, int i) { return one_on(at(row, i), at(row, i + n_lanes)); }
-inline Lanes west_of(const double* row, int i) { return one_back(at(row, i - n_lanes), at(row, i)); }
+inline Pack at(const double* row, int i) { return load_pack(row + i); }
+inline Pack east_of(const double* row, int i) { return load_one_on(row + i); }
+inline Pack west_of(const double* row, int i) { return load_one_back(row + i); }
 
 struct RowsAround {
   template <class Location>
@@ -31,11 +31,11 @@ struct AroundU {
         w(in.w.here.at_row(j)),
         w_below(in.w.below.at_row(j)),
         p(in.p.at_row(j)) {}
-  Lanes east(int i) const { return at(own.here, i) + east_of(own.here, i); }
-  Lanes north(int i) const { return at(v, i) + east_of(v, i); }
-  Lanes up(int i) const { return at(w, i) + east_of(w, i); }
-  Lanes down(int i) const { return at(w_below, i) + east_of(w_below, i); }
-  Lanes pressure_step(int i) const { return east_of(p, i) - at(p, i); }
+  Pack east(int i) const { return at(own.here, i) + east_of(own.here, i); }
+  Pack north(int i) const { return at(v, i) + east_of(v, i); }
+  Pack up(int i) const { return at(w, i) + east_of(w, i); }
+  Pack down(int i) const { return at(w_below, i) + east_of(w_below, i); }
+  Pack pressure_step(int i) const { return east_of(p, i) - at(p, i); }
 
   RowsAround own;
   const double *v, *w, *w_below, *p;
@@ -48,11 +48,11 @@ struct AroundV {
         w_below_north(in.w.below.at_row(j + 1)),
         p(in.p.at_row(j)),
         p_north(in.p.at_row(j + 1)) {}
-  Lanes east(int i) const { return at(u.here, i) + at(u.north, i); }
-  Lanes north(int i) const { return at(own.here, i) + at(own.north, i); }
-  Lanes up(int i) const { return at(w.here, i) + at(w.north, i); }
-  Lanes down(int i) const { return at(w.below, i) + at(w_below_north, i); }
-  Lanes pressure_step(int i) const { return at(p_north, i) - at(p, i); }
+  Pack east(int i) const { return at(u.here, i) + at(u.north, i); }
+  Pack north(int i) const { return at(own.here, i) + at(own.north, i); }
+  Pack up(int i) const { return at(w.here, i) + at(w.north, i); }
+  Pack down(int i) const { return at(w.below, i) + at(w_below_north, i); }
+  Pack pressure_step(int i) const { return at(p_north, i) - at(p, i); }
 
   RowsAround own, u, w;
   const double *w_below_north, *p, *p_north;
@@ -66,11 +66,11 @@ struct AroundW {
         p_above(in.p_above.at_row(j)),
         low(2 * f.weight_low),
         high(2 * f.weight_high) {}
-  Lanes east(int i) const { return low * at(u.here, i) + high * at(u.above, i); }
-  Lanes north(int i) const { return low * at(v.here, i) + high * at(v.above, i); }
-  Lanes up(int i) const { return at(own.here, i) + at(own.above, i); }
-  Lanes down(int i) const { return at(own.here, i) + at(own.below, i); }
-  Lanes pressure_step(int i) const { return at(p_above, i) - at(p, i); }
+  Pack east(int i) const { return low * at(u.here, i) + high * at(u.above, i); }
+  Pack north(int i) const { return low * at(v.here, i) + high * at(v.above, i); }
+  Pack up(int i) const { return at(own.here, i) + at(own.above, i); }
+  Pack down(int i) const { return at(own.here, i) + at(own.below, i); }
+  Pack pressure_step(int i) const { return at(p_above, i) - at(p, i); }
 
   RowsAround own, u, v;
   const double *p, *p_above;
@@ -84,7 +84,7 @@ struct Target {
 };
 constexpr std::size_t share_ahead = RowsAhead::most / 3;
 
-// One component of a row, in packs of cells i to i + 7. What passes a face is found once for both of its sides: to the
+// One component of a row, in packs of cells from i on. What passes a face is found once for both of its sides: to the
 // east it is kept for the next pack, to the north for the next row. It holds the viscous stress where that is explicit.
 template <ViscousMode mode, HistoryUse history, class Around>
 class ComponentRow {
@@ -94,28 +94,28 @@ class ComponentRow {
       : c_(c), f_(f), around_(around), own_(around.own) {}
 
   void store_north(double* flux, int nx) const {
-    for (int i = 0; i < nx; i += n_lanes) store(north(i), flux + i);
+    for (int i = 0; i < nx; i += pack_size) store_pack(north(i), flux + i);
   }
   void run(const Target& to, int nx) const {
-    Lanes last_east = east(-n_lanes);
+    Pack last_east = east(-pack_size);
     const double* ahead[share_ahead];
     for (std::size_t r = 0; r < share_ahead; ++r) ahead[r] = to.ahead[to.first_ahead + r];
     const auto cells = [&](int i, int count) {
       for (const double* row : ahead) prefetch(row + i);
-      const Lanes old = at(own_.here, i), to_east = east(i), to_north = north(i);
-      const Lanes inflow =
+      const Pack old = at(own_.here, i), to_east = east(i), to_north = north(i);
+      const Pack inflow =
           (one_back(last_east, to_east) - to_east) + (at(to.flux, i) - to_north) + (below(i) - above(i));
-      Lanes rhs = f_.push - f_.gradient * around_.pressure_step(i) + c_.dt_gamma * inflow;
+      Pack rhs = f_.push - f_.gradient * around_.pressure_step(i) + c_.dt_gamma * inflow;
       if constexpr (mode != ViscousMode::explicit_rk3) rhs += c_.dt_alpha * implicit_terms(i);
       if constexpr (history != HistoryUse::write) rhs += c_.dt_rho * at(to.history, i);
       if constexpr (mode == ViscousMode::explicit_rk3) rhs += old;
       last_east = to_east;
-      store(to_north, to.flux + i);
-      if constexpr (history != HistoryUse::read) store(inflow, to.history + i, count);
-      store(rhs, to.result + i, count);
+      store_pack(to_north, to.flux + i);
+      if constexpr (history != HistoryUse::read) store_pack(inflow, to.history + i, count);
+      store_pack(rhs, to.result + i, count);
     };
-    const int whole = nx / n_lanes * n_lanes;
-    for (int i = 0; i < whole; i += n_lanes) cells(i, n_lanes);
+    const int whole = nx / pack_size * pack_size;
+    for (int i = 0; i < whole; i += pack_size) cells(i, pack_size);
     if (whole < nx) cells(whole, nx - whole);
   }
 
@@ -124,29 +124,29 @@ class ComponentRow {
   static constexpr bool stress_in_z = mode == ViscousMode::explicit_rk3;
 
   template <bool with_stress>
-  static Lanes flux(double factor, Lanes carrier, Lanes sum, double viscosity, Lanes difference) {
-    const Lanes momentum = factor * (carrier * sum);
+  static Pack flux(double factor, Pack carrier, Pack sum, double viscosity, Pack difference) {
+    const Pack momentum = factor * (carrier * sum);
     return with_stress ? momentum - viscosity * difference : momentum;
   }
-  Lanes east(int i) const {
-    const Lanes c = at(own_.here, i), e = east_of(own_.here, i);
+  Pack east(int i) const {
+    const Pack c = at(own_.here, i), e = east_of(own_.here, i);
     return flux<stress_in_plane>(c_.x, around_.east(i), e + c, c_.visc_x, e - c);
   }
-  Lanes north(int i) const {
-    const Lanes c = at(own_.here, i), n = at(own_.north, i);
+  Pack north(int i) const {
+    const Pack c = at(own_.here, i), n = at(own_.north, i);
     return flux<stress_in_plane>(c_.y, around_.north(i), n + c, c_.visc_y, n - c);
   }
-  Lanes above(int i) const {
-    const Lanes c = at(own_.here, i), t = at(own_.above, i);
+  Pack above(int i) const {
+    const Pack c = at(own_.here, i), t = at(own_.above, i);
     return flux<stress_in_z>(f_.z, around_.up(i), t + c, f_.visc_up, t - c);
   }
-  Lanes below(int i) const {
-    const Lanes c = at(own_.here, i), b = at(own_.below, i);
+  Pack below(int i) const {
+    const Pack c = at(own_.here, i), b = at(own_.below, i);
     return flux<stress_in_z>(f_.z, around_.down(i), c + b, f_.visc_down, c - b);
   }
-  Lanes implicit_terms(int i) const {
-    const Lanes c = at(own_.here, i);
-    const Lanes z = f_.visc_up * (at(own_.above, i) - c) - f_.visc_down * (c - at(own_.below, i));
+  Pack implicit_terms(int i) const {
+    const Pack c = at(own_.here, i);
+    const Pack z = f_.visc_up * (at(own_.above, i) - c) - f_.visc_down * (c - at(own_.below, i));
     if (stress_in_plane) return z;
     return z + c_.visc_x * (east_of(own_.here, i) - 2 * c + west_of(own_.here, i)) +
            c_.visc_y * (at(own_.north, i) - 2 * c + at(own_.south, i));
