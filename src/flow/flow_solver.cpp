@@ -38,7 +38,7 @@ struct FlowSolver::Impl : FlowParts {
   }
 
   VelocityViews velocity() { return {state.u.view(), state.v.view(), state.w.view()}; }
-  void predict(const Substep& s, double dt, NodalForces* forces);
+  void predict(const Substep& s, double dt, bool wanted_by_hook, NodalForces* forces);
   void hold_bulk_velocity();
   // The state has changed by other means than a step.
   void forget_rate() { rate = unknown; }
@@ -50,10 +50,12 @@ struct FlowSolver::Impl : FlowParts {
   double rate = unknown;  // convective, of the velocity predicted last; over all ranks
 };
 
-void FlowSolver::Impl::predict(const Substep& s, double dt, NodalForces* forces) {
+void FlowSolver::Impl::predict(const Substep& s, double dt, bool wanted_by_hook, NodalForces* forces) {
   const MomentumFactors factors{dt * s.gamma, dt * s.rho, dt * s.alpha, parameters.viscosity,
                                 parameters.forcing.acceleration};
   sweeps->predict(s, factors, dt, forces);
+  const bool wants_all = wanted_by_hook || parameters.forcing.bulk_velocity;
+  if (wants_all || !may_finish_late()) finish_viscous(sweeps->predicted());
   if (parameters.forcing.bulk_velocity) hold_bulk_velocity();
 }
 
@@ -162,7 +164,7 @@ void FlowSolver::advance(double dt, const FlowHooks& hooks) {
       m.open.advance(m.velocity(), m.time + elapsed, s.alpha * dt);
     }
     if (hooks.before) hooks.before(s, dt);
-    m.predict(s, dt, hooks.forces);
+    m.predict(s, dt, hooks.predicted != nullptr, hooks.forces);
     const auto predicted = m.sweeps->predicted();
     m.fill_predicted_ends(predicted, hooks.predicted ? GhostPlanes::both : m.sweeps->wanted_ends());
     if (hooks.predicted) {

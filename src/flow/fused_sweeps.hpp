@@ -37,7 +37,7 @@ class FusedSweeps : public FlowSweeps {
   void make_plane_above_top();
   void make_plane_below_bottom();
   MomentumInput input(int k) const;
-  void prefetch_for_next_row(int j, int k) const;
+  RowsAhead ahead_of_row(int j, int k) const;
 
   FlowParts& parts_;
   PoissonPlanes phi_;

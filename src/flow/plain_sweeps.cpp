@@ -17,7 +17,7 @@ void PlainSweeps::predict(const Substep& s, const MomentumFactors& factors, doub
       const MomentumRows momentum(m.grid, m.parameters.viscous, history_use(s), factors, in,
                                   {out.u, out.v, out.w, m.history_u.view().at_plane(k), m.history_v.view().at_plane(k),
                                    m.history_w.view().at_plane(k)},
-                                  k);
+                                  m.momentum_fluxes, k);
       for_rows(m.grid.ny(), momentum);
       if (forces != nullptr) FlowParts::add_forces(*forces, factors, out, 0, m.grid.ny(), k);
     }
@@ -25,11 +25,13 @@ void PlainSweeps::predict(const Substep& s, const MomentumFactors& factors, doub
       m.fill_plane(predicted(), k);
     } else {
       const auto scope = m.timer.measure("viscous solves");
-      for (int j = 0; j < m.grid.ny(); ++j) FlowParts::begin_viscous_row(solve, out, j, k);
+      for (int j = 0; j < m.grid.ny(); ++j) FlowParts::begin_viscous_row(solve, predicted(), in, j, k);
       m.end_viscous_plane(solve, predicted(), in, k);
     }
   }
-  if (solve != nullptr) m.finish_viscous(solve, predicted());
+  if (solve == nullptr) return;
+  m.couple_viscous(solve);
+  m.finish_viscous(predicted());
 }
 
 double PlainSweeps::project(const CorrectionFactors& factors, bool wants_rate) {
