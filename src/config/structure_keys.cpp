@@ -44,7 +44,8 @@ void add_material(std::vector<BodyKey>& keys) {
                             "`rotation`, projected on it"},
                            [](auto& b) { return &b.material.fibre; }));
   add(make_key<BodyConfig>(
-      {"young_across", "pressure", "Young's modulus across the fibre, a fifth to five times `young`; default: young"},
+      {"young_across", "pressure",
+       "Young's modulus across the fibre, a quarter of `young` to four times it; default: young"},
       [](auto& b) { return &b.material.young_across; }, positive()));
   add(make_key<BodyConfig>(
       {"damping", "mass / time", "force of -damping times the velocity of a vertex"},
