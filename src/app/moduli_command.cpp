@@ -59,7 +59,7 @@ void print_json(const BodyConfig& body, const MeasuredModuli& m) {
   nlohmann::ordered_json report{{"body", body.name}, {"patches", m.n_patches}, {"vertices", m.n_vertices}};
   for (const Row& row : rows_of(m)) report[row.key] = {{"asked", *row.asked}, {"found", *row.found}};
   const auto along_axes = [](const SheetStiffness& s) -> nlohmann::ordered_json {
-    return {{"c11", s.c11}, {"c22", s.c22}, {"c12", s.c12}, {"c66", s.c66}};
+    return {{"c11", s.c11}, {"c22", s.c22}, {"c12", s.c12}, {"c66", s.c66}, {"c16", s.c16}, {"c26", s.c26}};
   };
   if (m.asked.young) report["plane_stiffness"] = along_axes(m.plane);
   if (m.asked.bending) report["bending_stiffness"] = along_axes(m.bending);

@@ -147,7 +147,7 @@ SheetStiffness stiffness_of(const PotentialSet& set, const Surface& surface, con
     forces[i] = hessian * relaxed[i];
   }
   const auto entry = [&](std::size_t i, std::size_t j) { return product(relaxed[i], forces[j]) / area; };
-  return {entry(0, 0), entry(1, 1), entry(0, 1), entry(2, 2)};
+  return {entry(0, 0), entry(1, 1), entry(0, 1), entry(2, 2), entry(0, 2), entry(1, 2)};
 }
 
 struct Frame {
@@ -378,6 +378,8 @@ MeasuredModuli find_moduli(const BodyConfig& body, const Surface& surface) {
     sum.c22 += share * one.c22;
     sum.c12 += share * one.c12;
     sum.c66 += share * one.c66;
+    sum.c16 += share * one.c16;
+    sum.c26 += share * one.c26;
   };
   for (const auto& patch : patches) {
     if (has_plane) add(found.plane, plane_stiffness(body, patch));

@@ -11,18 +11,23 @@ namespace pliant {
 /// Quadratic form of a thin sheet along the axes 1 and 2 of its plane: of the strains e_11, e_22, 2 e_12, or of the
 /// curvatures.
 struct SheetStiffness {
-  double c11 = 0, c22 = 0, c12 = 0, c66 = 0;
+  double c11 = 0, c22 = 0, c12 = 0, c66 = 0, c16 = 0, c26 = 0;
 
   /// Moduli of the isotropic sheet that is as stiff on average over all directions.
   double area() const { return 0.25 * (c11 + c22 + 2 * c12); }
   double shear() const { return 0.125 * (c11 + c22 - 2 * c12 + 4 * c66); }
   double young() const { return 4 * area() * shear() / (area() + shear()); }
   double poisson() const { return (area() - shear()) / (area() + shear()); }
-  /// Along the axes.
-  double young_along() const { return c11 - c12 * c12 / c22; }
-  double young_across() const { return c22 - c12 * c12 / c11; }
+  /// Under a pull along an axis; the sheet may shear and shrink as it likes.
+  double young_along() const { return determinant() / (c22 * c66 - c26 * c26); }
+  double young_across() const { return determinant() / (c11 * c66 - c16 * c16); }
   /// Stiffness against being rolled up, mean over all directions.
   double rolling() const { return (3 * c11 + 3 * c22 + 2 * c12 + 4 * c66) / 8; }
+
+ private:
+  double determinant() const {
+    return c11 * (c22 * c66 - c26 * c26) - c12 * (c12 * c66 - c16 * c26) + c16 * (c12 * c26 - c22 * c16);
+  }
 };
 
 /// What a body's constants are meant to give: those of its material or law, or what equal springs and hinges give on

@@ -59,6 +59,28 @@ TEST(NetworkModuli, OfASheetDoNotMindItsPlace) {
   EXPECT_GT(m.plane.young_along(), 1.5 * m.plane.young_across());
 }
 
+TEST(SheetStiffness, IsThatOfItsComplianceTurned) {
+  // A sheet of compliances 1/8 and 1/2 along and across, -1/16 between and 3 in shear, turned by 30 degrees: the
+  // compliance along an axis turns as a tensor of rank 4.
+  const double s11 = 0.125, s22 = 0.5, s12 = -0.0625, s66 = 3, det = s11 * s22 - s12 * s12;
+  const double c11 = s22 / det, c22 = s11 / det, c12 = -s12 / det, c66 = 1 / s66;
+  const double c = std::sqrt(0.75), s = 0.5;
+  const double r11 = c11 * c * c * c * c + c22 * s * s * s * s + (2 * c12 + 4 * c66) * c * c * s * s;
+  const double r22 = c11 * s * s * s * s + c22 * c * c * c * c + (2 * c12 + 4 * c66) * c * c * s * s;
+  const double r12 = (c11 + c22 - 4 * c66) * c * c * s * s + c12 * (c * c * c * c + s * s * s * s);
+  const double r66 = (c11 + c22 - 2 * c12 - 2 * c66) * c * c * s * s + c66 * (c * c * c * c + s * s * s * s);
+  const double r16 = (c11 - c12 - 2 * c66) * c * c * c * s + (c12 - c22 + 2 * c66) * c * s * s * s;
+  const double r26 = (c11 - c12 - 2 * c66) * c * s * s * s + (c12 - c22 + 2 * c66) * c * c * c * s;
+  const SheetStiffness turned{r11, r22, r12, r66, r16, r26};
+  EXPECT_NEAR(1 / turned.young_along(), s11 * 9 / 16 + s22 / 16 + (2 * s12 + s66) * 3 / 16, 1e-12);
+  EXPECT_NEAR(1 / turned.young_across(), s11 / 16 + s22 * 9 / 16 + (2 * s12 + s66) * 3 / 16, 1e-12);
+  const SheetStiffness straight{c11, c22, c12, c66, 0, 0};
+  EXPECT_NEAR(straight.young_along(), 8, 1e-12);
+  EXPECT_NEAR(straight.area(), turned.area(), 1e-12);
+  EXPECT_NEAR(straight.shear(), turned.shear(), 1e-12);
+  EXPECT_NEAR(straight.rolling(), turned.rolling(), 1e-12);
+}
+
 TEST(NetworkModuli, OfASphereAreFoundOnItAndByInflation) {
   BodyConfig body;
   body.potentials.membrane = MembraneConfig{MembraneLaw::neo_hookean, 2.0, 0};
