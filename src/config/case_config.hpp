@@ -289,9 +289,9 @@ struct PullConfig {
 };
 
 enum class MotionKind { fixed, prescribed, rigid, hinge, deformable };
-/// one-way: the flow does not feel the body; loose, strong: who moves when, of rigid and hinged bodies; automatic:
-/// loose or strong by the added-mass ratio.
-enum class CouplingKind { automatic, one_way, loose, strong };
+/// one-way: the flow does not feel the body; loose, strong: who moves when, once a step or until they agree;
+/// force-spreading, local-mass: deformable bodies move with the flow in each substep; automatic: by the mass ratio.
+enum class CouplingKind { automatic, one_way, loose, strong, force_spreading, local_mass };
 /// The tables of named things within a [[body]].
 enum class PartKind { selection, tether, cord, pull };
 /// What moves a rigid or hinged body: the momentum balance of its forcing, or the stress at the ends of its probes.
@@ -352,7 +352,9 @@ struct BodyConfig {
   int marker_refinement = 0;                ///< markers along the edge of a face; 0: as many as the grid asks for
   std::optional<double> marker_retraction;  ///< spacings; default: transfer's, 0 for deformable bodies
   bool thin_sheet = true;                   ///< of an open surface: forces along it as a sheet without thickness takes
-  std::optional<double> mass_per_vertex;    ///< default: from thickness and density, or 1 without a thickness
+  std::optional<double> mass_per_vertex;    ///< default: from thickness and density; else 1 one-way, 0 two-way
+  bool held = false;                        ///< its mean velocity is kept zero
+  bool volume_correction = true;            ///< of a closed body that moves with the flow
   double damping = 0.0;                     ///< force = -damping * velocity of the vertex
   double inner_damping = 0.0;               ///< force along an edge = -inner_damping * rate of its length
   std::optional<int> substeps;              ///< within a fluid step; else found from the stability limit

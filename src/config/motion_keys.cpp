@@ -121,8 +121,9 @@ void add_motion_keys(std::vector<BodyKey>& keys) {
   keys.push_back(make_key<BodyConfig>({"motion", "", "how the body moves"}, [](auto& b) { return &b.motion; }));
   keys.push_back(make_key<BodyConfig>({"coupling", "",
                                        "one-way: the flow does not feel the body; loose: fluid, loads, body, once a "
-                                       "step; strong: repeated until they agree; "
-                                       "auto: loose or strong by the added-mass ratio"},
+                                       "step; strong: repeated until they agree; force-spreading, local-mass: "
+                                       "vertices move with the flow, substep by substep (docs/coupling.md); "
+                                       "auto: by the mass ratio"},
                                       [](auto& b) { return &b.coupling; }));
   keys.push_back(when_massive(make_key<BodyConfig>(
       {"loads", "", "what moves the body: the momentum balance of its forcing, or the stress at its probes (traction)"},
@@ -147,6 +148,20 @@ void add_motion_keys(std::vector<BodyKey>& keys) {
            "which acts as one about a spacing thick"},
           [](auto& b) { return &b.thin_sheet; }),
       "coupling is not \"one-way\"", [](const BodyConfig& b) { return b.coupling != CouplingKind::one_way; }));
+  const auto soft = [](BodyKey key) {
+    return only_when<BodyConfig>(std::move(key), "motion is \"deformable\" and coupling is not \"one-way\"",
+                                 [](const BodyConfig& b) {
+                                   return b.motion == MotionKind::deformable && b.coupling != CouplingKind::one_way;
+                                 });
+  };
+  keys.push_back(soft(make_key<BodyConfig>({"held", "",
+                                 "a force shared over the surface keeps its mean velocity zero, so that it deforms but "
+                                 "does not drift; the body's table has the flow's force on it"},
+                                [](auto& b) { return &b.held; })));
+  keys.push_back(soft(make_key<BodyConfig>({"volume_correction", "",
+                                 "of a closed body: the least motion of its vertices that keeps the volume as it was, "
+                                 "once a step; the body's table has what it took"},
+                                [](auto& b) { return &b.volume_correction; })));
   add_path(keys);
   add_material(keys);
   add_rigid(keys);

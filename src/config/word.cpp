@@ -92,7 +92,9 @@ Words<CouplingKind> words_of<CouplingKind>() {
   return {{"auto", CouplingKind::automatic},
           {"one-way", CouplingKind::one_way},
           {"loose", CouplingKind::loose},
-          {"strong", CouplingKind::strong}};
+          {"strong", CouplingKind::strong},
+          {"force-spreading", CouplingKind::force_spreading},
+          {"local-mass", CouplingKind::local_mass}};
 }
 
 template <>

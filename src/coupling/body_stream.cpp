@@ -29,6 +29,8 @@ void write_body(const Body& body, const BodyKind& kind, ByteWriter& out) {
   out.write(body.surface.positions);
   out.write(body.surface.velocities);
   out.write(body.surface.forces);
+  out.write(body.mass_velocities);
+  out.write(body.volume_restored);
 }
 
 void read_body(ByteReader& in, const BodyKind& kind, Body& body) {
@@ -54,6 +56,8 @@ void read_body(ByteReader& in, const BodyKind& kind, Body& body) {
   read_vertices(in, body.surface.positions);
   read_vertices(in, body.surface.velocities);
   read_vertices(in, body.surface.forces);
+  in.read(body.mass_velocities);
+  in.read(body.volume_restored);
 }
 
 }  // namespace pliant

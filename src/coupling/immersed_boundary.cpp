@@ -25,7 +25,7 @@ std::span<const Vec3> part(std::span<const Vec3> all, std::size_t begin, std::si
 }
 
 bool belongs(const BodyKind& kind, MarkerGroup group) {
-  return kind.acts_on_flow() && (kind.config.motion == MotionKind::fixed) == (group == MarkerGroup::fixed);
+  return kind.forces_flow() && (kind.config.motion == MotionKind::fixed) == (group == MarkerGroup::fixed);
 }
 
 bool has_sheets(const Bodies& bodies, MarkerGroup group) {

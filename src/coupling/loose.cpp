@@ -30,6 +30,7 @@ void advance_loose(CoupledFlow& coupled, double time, double step) {
   coupled.place_markers();
   coupled.advance_fluid(step);
   coupled.find_loads(step);
+  coupled.finish_soft_bodies(step);
   coupled.accept();
   advance_loose_bodies(coupled, step);
 }

@@ -12,6 +12,7 @@
 #include "signals/make_signal.hpp"
 #include "structure/make_body.hpp"
 #include "structure/placement.hpp"
+#include "structure/stable_time_step.hpp"
 #include "transfer/direct_forcing.hpp"
 
 namespace pliant {
@@ -121,13 +122,34 @@ void set_shape(BodyKind& kind, const Grid& grid) {
   else if (retraction > 0) kind.layout.draw_in(body.mesh, body.positions, retraction);
 }
 
+/// A soft body meets the flow at its vertices, if faces are small enough for the grid; marker points serve all others.
+void set_softness(BodyKind& kind, const CaseConfig& config, const Grid& grid) {
+  if (!kind.is_soft()) return;
+  const auto& body = kind.prototype;
+  const auto lengths = edge_lengths(body.mesh, body.positions);
+  kind.meets_flow_at_vertices = kind.config.marker_refinement == 0 &&
+                                *std::max_element(lengths.begin(), lengths.end()) <=
+                                    longest_marker_edge * grid.smallest_spacing();
+  // Centroids alone would not feel vertices that alternate by threes.
+  if (!kind.meets_flow_at_vertices && kind.config.marker_refinement == 0) {
+    auto parts = refinement_for(body.mesh, body.positions, grid.smallest_spacing());
+    for (int& n : parts) n = std::max(n, 2);
+    kind.layout = MarkerLayout(body.mesh, parts);
+  }
+  kind.restores_volume = kind.is_closed() && kind.config.volume_correction;
+  auto masses = body.masses;
+  for (std::size_t v = 0; v < masses.size(); ++v)
+    masses[v] += config.fluid.density * grid.mean_spacing() * body.reference_areas[v];
+  kind.layered_limit = stable_time_step(find_largest_frequency(body, masses), 0, find_largest_damping_rate(body, masses));
+}
+
 /// A marker that stands for more than about two cells overshoots, and the flow blows up.
 void require_enough_markers(const BodyKind& kind, const CaseConfig& config, const Grid& grid) {
   MarkerSet markers;
   kind.layout.place(kind.prototype.positions, kind.prototype.velocities, markers);
   const double largest = *std::max_element(markers.areas.begin(), markers.areas.end());
   const double correction = largest * grid.mean_spacing() / (grid.dx() * grid.dy() * grid.smallest_dz());
-  if (!kind.acts_on_flow() || correction < DirectForcing::largest_stable_correction) return;
+  if (!kind.acts_on_flow() || kind.meets_flow_at_vertices || correction < DirectForcing::largest_stable_correction) return;
   throw InputError(
       fmt::format("{} has too few markers for the grid: one stands for {:.2g} cells, from {} on forcing is unstable; "
                   "leave marker_refinement to Pliant, or raise it",
@@ -165,6 +187,7 @@ BodyKind make_body_kind(const CaseConfig& config, std::size_t index, Surface sha
   kind.added_mass_ratio = added_mass_ratio(kind, config.fluid.density, grid.mean_spacing());
   std::string reason;
   kind.coupling = choose_coupling(kind, reason);
+  set_softness(kind, config, grid);
   require_enough_markers(kind, config, grid);
   return kind;
 }

@@ -16,11 +16,11 @@ bool is_asked(const BodyKind& kind, StressOf which) {
   return which == StressOf::all || (kind.is_free() && kind.config.loads == LoadSource::probes);
 }
 
-void set_sites_of(Body& body) {
+void set_sites_of(Body& body, const BodyKind& kind) {
   const auto& surface = body.surface;
   std::vector<Vec3> accelerations(surface.positions.size());
   for (std::size_t v = 0; v < accelerations.size(); ++v)
-    accelerations[v] = acceleration_at(body.pose, body.acceleration, surface.positions[v]);
+    if (kind.has_pose()) accelerations[v] = acceleration_at(body.pose, body.acceleration, surface.positions[v]);
   set_sites(surface.mesh, surface.positions, surface.velocities, accelerations, body.sites);
 }
 
@@ -50,7 +50,7 @@ void find_stresses(Bodies& bodies, const FlowSampler& flow, const Grid& grid, Ve
     Body& body = own[b];
     const auto& kind = bodies.kind_of(body);
     if (!is_asked(kind, which)) continue;
-    set_sites_of(body);
+    set_sites_of(body, kind);
     probe_points(body.sites, kind.probes, of_body);
     const auto outside = box.first_outside(of_body);
     if (outside < of_body.size()) {

@@ -48,6 +48,13 @@ struct FlowParts {
   bool is_implicit() const { return !adi.empty(); }
   CorrectionTerms correction_terms() const;
 
+  /// Adds the forces at rows j_begin to j_end - 1 of plane k to right-hand sides.
+  static void add_forces(NodalForces& forces, const MomentumFactors& factors, const VelocityPlane<double>& rows,
+                         int j_begin, int j_end, int k) {
+    for (int j = j_begin; j < j_end; ++j)
+      forces.take_row(factors.dt_alpha, rows.u.at_row(j), rows.v.at_row(j), rows.w.at_row(j), j, k);
+  }
+
   /// The three implicit solves of a substep, made ready.
   HelmholtzAdi* begin_viscous(const Substep& s, double dt);
   /// Row j of the right-hand sides of plane k goes into the solves.
@@ -80,7 +87,7 @@ class FlowSweeps {
   virtual ~FlowSweeps() = default;
   /// From the state at the beginning of the substep to the predicted velocity, with the ghosts that the projection
   /// and `ends` want. Collective.
-  virtual void predict(const Substep& s, const MomentumFactors& factors, double dt) = 0;
+  virtual void predict(const Substep& s, const MomentumFactors& factors, double dt, NodalForces* forces) = 0;
   virtual VelocityFields predicted() = 0;
   /// Which ghost planes predicted() must have before it is projected.
   virtual GhostPlanes wanted_ends() const = 0;

@@ -162,7 +162,7 @@ void FusedSweeps::prefetch_for_next_row(int j, int k) const {
   prefetch_row(m.state.p.view().at_row(j + 2, k - 1), nx);
 }
 
-void FusedSweeps::predict(const Substep& s, const MomentumFactors& factors, double dt) {
+void FusedSweeps::predict(const Substep& s, const MomentumFactors& factors, double dt, NodalForces* forces) {
   auto& m = parts_;
   const int nz = m.grid.nz(), ny = m.grid.ny();
   if (pending_) find_increment();
@@ -195,6 +195,7 @@ void FusedSweeps::predict(const Substep& s, const MomentumFactors& factors, doub
         if (below && j + 1 == ny) below->ghost_rows();
         prefetch_for_next_row(j, k);
         momentum(j);
+        if (forces != nullptr) FlowParts::add_forces(*forces, factors, out, j, j + 1, k);
         if (solve != nullptr) FlowParts::begin_viscous_row(solve, out, j, k);
         else m.fill_row(out, j, k);
       }

@@ -19,7 +19,7 @@ class FusedSweeps : public FlowSweeps {
   /// sweeps_in_use() says where this is possible.
   explicit FusedSweeps(FlowParts& parts);
 
-  void predict(const Substep& s, const MomentumFactors& factors, double dt) override;
+  void predict(const Substep& s, const MomentumFactors& factors, double dt, NodalForces* forces) override;
   VelocityFields predicted() override { return parts_.state_velocity(); }
   GhostPlanes wanted_ends() const override;
   double project(const CorrectionFactors& factors, bool wants_rate) override;

@@ -4,7 +4,7 @@ namespace pliant {
 
 PlainSweeps::PlainSweeps(FlowParts& parts) : parts_(parts), u_(parts.grid), v_(parts.grid), w_(parts.grid) {}
 
-void PlainSweeps::predict(const Substep& s, const MomentumFactors& factors, double dt) {
+void PlainSweeps::predict(const Substep& s, const MomentumFactors& factors, double dt, NodalForces* forces) {
   auto& m = parts_;
   HelmholtzAdi* solve = m.is_implicit() ? m.begin_viscous(s, dt) : nullptr;
   for (int k = m.grid.nz() - 1; k >= 0; --k) {
@@ -19,6 +19,7 @@ void PlainSweeps::predict(const Substep& s, const MomentumFactors& factors, doub
                                    m.history_w.view().at_plane(k)},
                                   k);
       for_rows(m.grid.ny(), momentum);
+      if (forces != nullptr) FlowParts::add_forces(*forces, factors, out, 0, m.grid.ny(), k);
     }
     if (solve == nullptr) {
       m.fill_plane(predicted(), k);

@@ -1,11 +1,14 @@
 #include "structure/stable_time_step.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <memory>
 
+#include "core/error.hpp"
 #include "mesh/geometry.hpp"
 #include "structure/body_forces.hpp"
 
@@ -141,6 +144,17 @@ double stable_time_step(const DeformableBody& body, std::span<const double> drag
   for (std::size_t v = 0; v < drag.size(); ++v)
     least_rate = std::min(least_rate, (drag[v] + body.damping) / body.masses[v]);
   return stable_time_step(body.largest_frequency, least_rate, body.largest_damping_rate);
+}
+
+int substeps_for(double time, double limit, const std::string& body) {
+  constexpr double most_substeps = 1e6;
+  const double count = std::ceil(time / (substep_safety * limit));
+  if (!(count <= most_substeps))
+    throw RunError(
+        fmt::format("body '{}': a fluid step of {:g} would need {:g} substeps; take a smaller fluid step, softer "
+                    "potentials or a larger mass",
+                    body, time, count));
+  return std::max(1, static_cast<int>(count));
 }
 
 }  // namespace pliant

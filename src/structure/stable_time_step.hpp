@@ -1,4 +1,7 @@
 #pragma once
+#include <span>
+#include <string>
+
 #include "structure/deformable_body.hpp"
 
 namespace pliant {
@@ -23,5 +26,13 @@ double stable_time_step(double omega, double drag_rate, double damping_rate = 0)
 /// The same for a body: its stored largest frequency and damping rate, and its damping and the least of the given drags
 /// as the drag.
 double stable_time_step(const DeformableBody& body, std::span<const double> drag);
+
+/// Fraction of the stability limit that a substep takes: the limit is that of the start, and bodies stiffen as they
+/// deform.
+inline constexpr double substep_safety = 0.7;
+
+/// Substeps into which a body that is stable up to `limit` divides `time`. Throws RunError if these are more than a
+/// million.
+int substeps_for(double time, double limit, const std::string& body);
 
 }  // namespace pliant

@@ -228,9 +228,8 @@ def bad_motion(name, motion, text, patterns, surface=BALL, more=""):
     bad_case(name, CASE + surface + 'motion = "{}"\n{}\n{}'.format(motion, text, more), patterns)
 
 
-bad_motion("deformable without one-way", "deformable", "", [r'body\.drop\.coupling is "auto".*"one-way"'])
-bad_motion("deformable and loose", "deformable", 'coupling = "loose"', [r'case\.toml:\d+: body\.drop\.coupling is "loose"'])
-bad_motion("deformable and strong", "deformable", 'coupling = "strong"', [r'body\.drop\.coupling is "strong"'])
+bad_motion("rigid and soft", "rigid", 'coupling = "local-mass"',
+           [r'case\.toml:\d+: body\.drop\.coupling is "local-mass".*deformable'])
 bad_motion("rigid and one-way", "rigid", 'coupling = "one-way"', [r'body\.drop\.coupling is "one-way".*"rigid"'])
 bad_motion("hinge and one-way", "hinge", 'coupling = "one-way"', [r'body\.drop\.coupling is "one-way".*"hinge"'])
 bad_motion("drag on a rigid body", "rigid", 'traction.form = "drag"', [r'body\.drop\.traction\.form is "drag"'])
