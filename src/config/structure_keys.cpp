@@ -28,7 +28,7 @@ void add_material(std::vector<BodyKey>& keys) {
   auto mass = make_key<BodyConfig>(
       {"mass_per_vertex", "mass",
        "of each vertex in Newton's law; default: its share of area times thickness times "
-       "density, or 1 without a thickness"},
+       "density; without a thickness 0 if it moves with the flow, 1 if by itself (one-way, loose, strong)"},
       [](auto& b) { return &b.mass_per_vertex; }, at_least(0));
   add(instead_of(std::move(mass), {"density"}));
   add(make_key<BodyConfig>(
@@ -44,7 +44,8 @@ void add_material(std::vector<BodyKey>& keys) {
                             "`rotation`, projected on it"},
                            [](auto& b) { return &b.material.fibre; }));
   add(make_key<BodyConfig>(
-      {"young_across", "pressure", "Young's modulus across the fibre, a fifth to five times `young`; default: young"},
+      {"young_across", "pressure",
+       "Young's modulus across the fibre, a quarter of `young` to four times it; default: young"},
       [](auto& b) { return &b.material.young_across; }, positive()));
   add(make_key<BodyConfig>(
       {"damping", "mass / time", "force of -damping times the velocity of a vertex"},

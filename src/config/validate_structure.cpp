@@ -66,9 +66,9 @@ class StructureValidator {
     if (!material.fibre || !material.young)
       return complain("young_across", "is the modulus across a fibre; give young and fibre as well");
     const double ratio = *material.young / *material.young_across;
-    if (ratio > 5 || ratio < 0.2)
+    if (ratio > 4 || ratio < 0.25)
       complain("young_across",
-               fmt::format("makes the wall {:.3g} times as stiff {} the fibre; a network of springs can be at most 5 "
+               fmt::format("makes the wall {:.3g} times as stiff {} the fibre; a network of springs can be at most 4 "
                            "times as stiff in one direction as in the other",
                            ratio > 1 ? ratio : 1 / ratio, ratio > 1 ? "along" : "across"));
   }

@@ -24,10 +24,11 @@ std::vector<double> van_gelder_stiffness(const TriangleMesh& mesh, std::span<con
 }
 
 FibreStiffness fibre_stiffness(Vec3 direction, double young_along, double young_across) {
-  const double ratio = young_along / young_across;
-  const double along = young_along / (1.0 - (1.0 + ratio) * (1.0 + ratio) / (36.0 * ratio));  // C_11
-  const double across = along / ratio;
-  return {normalized(direction), 4.0 / 9.0 * (along + across), 2.0 / 3.0 * (along - across)};
+  const double e1 = young_along, e2 = young_across;
+  const double at30 = 8 * e1 * e2 / (9 * e2 - e1), at60 = 8 * e1 * e2 / (9 * e1 - e2);
+  return {normalized(direction),
+          {(e1 + 2 * at30 + 2 * at60 + e2) / 6, (e1 + at30 - at60 - e2) / 3, (e1 - at30 - at60 + e2) / 3,
+           (e1 - 2 * at30 + 2 * at60 - e2) / 6}};
 }
 
 std::vector<double> fibre_network_stiffness(const TriangleMesh& mesh, std::span<const Vec3> reference,
@@ -44,8 +45,9 @@ std::vector<double> fibre_network_stiffness(const TriangleMesh& mesh, std::span<
     const double length = norm(in_plane);
     const double cosine =
         length > 1e-6 ? dot(in_plane, reference[b] - reference[a]) / (length * norm(reference[b] - reference[a])) : 0;
-    const double twice = length > 1e-6 ? 2.0 * cosine * cosine - 1.0 : 0.0;
-    stiffness[e] *= fibre.mean + fibre.swing * twice;
+    const double c = 2.0 * cosine * cosine - 1.0;  // of twice the angle
+    const auto& h = fibre.harmonics;
+    stiffness[e] *= length > 1e-6 ? h[0] + h[1] * c + h[2] * (2 * c * c - 1) + h[3] * c * (4 * c * c - 3) : h[0];
   }
   return stiffness;
 }

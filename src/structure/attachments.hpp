@@ -34,6 +34,8 @@ struct Attachments {
   std::shared_ptr<const std::vector<Tether>> tethers;
   std::shared_ptr<const std::vector<Cord>> cords;
   std::shared_ptr<const std::vector<Pull>> pulls;
+
+  bool any() const { return tethers || cords || pulls; }
 };
 
 /// The items of a list that may be missing.

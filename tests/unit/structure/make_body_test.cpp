@@ -83,7 +83,10 @@ TEST(MakeBody, WithoutAMassHasNoFrequency) {
 TEST(MakeBody, WeighsItsWall) {
   auto config = drop();
   config.mass_per_vertex.reset();
+  EXPECT_EQ(body_of(config).masses[0], 0.0) << "a surface of the flow, unless it moves by itself";
+  config.coupling = CouplingKind::one_way;
   EXPECT_EQ(body_of(config).masses[0], 1.0);
+  config.coupling = CouplingKind::automatic;
   config.material.thickness = 0.1;
   config.material.density = 3.0;
   const auto body = body_of(config);
