@@ -79,7 +79,7 @@ Body Bodies::make_copy(std::size_t k, long id, const Placement& placement) const
   if (kind.has_pose()) follow_pose(body, kind);
   else body.surface.positions = place(body.surface.positions, placement);
   body.surface.reference = body.surface.positions;
-  body.told = body.told_before = body.pose;
+  body.told = body.told_before = body.met = body.pose;
   return body;
 }
 

@@ -6,3 +6,4 @@ target_include_directories(structure_test PRIVATE ${CMAKE_SOURCE_DIR}/tests)
 pliant_test(motion_test SOURCES ${dir}/quaternion_test.cpp ${dir}/rigid_body_test.cpp ${dir}/mass_properties_test.cpp
   ${dir}/hinge_test.cpp ${dir}/prescribed_motion_test.cpp LIBS pliant_structure)
 pliant_test(repulsion_test SOURCES ${dir}/repulsion_test.cpp LIBS pliant_structure)
+pliant_test(surface_contact_test SOURCES ${dir}/surface_contact_test.cpp LIBS pliant_structure)
