@@ -19,7 +19,8 @@ constexpr double edge_share = 0.5 / 7.64;
 /// Pairs of one surface are not to come nearer than this part of what they are apart at rest, if that is less than the
 /// range.
 constexpr double rest_fraction = 1.0 / 3.0;
-constexpr double own_skin = 0.25;  // of the range
+constexpr double own_skin = 0.25;       // of the range
+constexpr double floor_fraction = 0.2;  // the same
 /// Of two faces that a vertex touches in about one direction the nearer one counts: cosine of 60 degrees.
 constexpr double same_direction = 0.5;
 
@@ -57,10 +58,10 @@ double largest_norm(std::span<const Vec3> vectors, Vec3 about = {}) {
   return std::sqrt(largest);
 }
 
-/// The positive root of g = free + c (range / g - 1).
-double settled_gap(double free, double c, double range) {
-  const double b = free - c, root = std::sqrt(b * b + 4 * c * range);
-  return b > 0 ? 0.5 * (b + root) : 2 * c * range / (root - b);
+/// The positive root of r = free + c (room / r - 1).
+double settled_room(double free, double c, double room) {
+  const double b = free - c, root = std::sqrt(b * b + 4 * c * room);
+  return b > 0 ? 0.5 * (b + root) : 2 * c * room / (root - b);
 }
 
 }  // namespace
@@ -97,6 +98,8 @@ void SurfaceContact::begin(const DeformableBody& body, Obstacles obstacles, doub
   obstacle_impulses_.assign(obstacles_.positions.size(), {});
   resistances_.assign(n, 0.0);
   deviation_listed_.clear();
+  for (auto* pairs : {&own_points_, &own_edges_})
+    for (Pair& pair : *pairs) pair.floor = -1;
 
   part_of_vertex_.clear(), part_of_face_.clear(), part_of_edge_.clear(), obstacle_edges_.clear();
   std::size_t face = 0;
@@ -316,21 +319,23 @@ bool SurfaceContact::look(const Nodes& nodes, Pair& pair, bool edges, Touch& tou
   double gap = norm(apart);
   if (gap >= pair.range) {
     pair.direction = {};  // nothing passes through a whole range in a substep
+    if (pair.floor < 0) pair.floor = floor_fraction * pair.range;
     if (gap >= 2 * pair.range) return false;
   }
   Vec3 normal = gap > 0 ? apart / gap : pair.direction;
   if (inside && dot(normal, pair.direction) < 0) gap = -gap, normal = -normal;
   if (gap < pair.range) pair.direction = normal;
+  if (pair.floor < 0) pair.floor = std::clamp(0.5 * gap, 0.0, floor_fraction * pair.range);
   for (std::size_t k = 0; k < 4; ++k) approach += touch.weights[k] * nodes.velocity(pair.nodes[k], pair.partner);
   touch.nodes = pair.nodes;
   touch.normal = normal;
   touch.gap = gap;
-  touch.free_gap = gap + nodes.step * dot(normal, approach);
+  touch.free_room = gap - pair.floor + nodes.step * dot(normal, approach);
   touch.share = share;
-  touch.range = pair.range;
+  touch.room = pair.range - pair.floor;
   touch.partner = pair.partner;
   // Others may push what has not yet come within the range.
-  return std::min(touch.free_gap, gap - 0.25 * pair.range) < pair.range && share > 0;
+  return std::min(touch.free_room, gap - pair.floor - 0.25 * pair.range) < touch.room && share > 0;
 }
 
 void SurfaceContact::touch_points(const Nodes& nodes, std::vector<Pair>& pairs) {
@@ -370,14 +375,14 @@ void SurfaceContact::touch_walls(const Nodes& nodes) {
       const auto at = static_cast<std::size_t>(v);
       const double gap = normal[d] * (nodes.own[at][d] - wall);
       const double free_gap = gap + nodes.step * normal[d] * nodes.own_velocities[at][d];
-      if (free_gap < law_.range)
+      if (std::min(free_gap, gap - 0.25 * law_.range) < law_.range)
         touches_.push_back({{v, v, v, v},
                             {1, 0, 0, 0},
                             normal,
                             gap,
                             free_gap,
-                            law_.strength * areas_[at],
                             law_.range,
+                            law_.strength * areas_[at],
                             Partner::itself,
                             0.0});
     }
@@ -397,10 +402,10 @@ double SurfaceContact::settle(Touch& touch, const ContactMotion& motion) {
     change += mirrored * touch.weights[k] * (settled_[node] - motion.velocities[node]);
   }
   const double by_itself = motion.step * opening * touch.force;
-  const double free = touch.free_gap + motion.step * dot(touch.normal, change) - by_itself;
+  const double free = touch.free_room + motion.step * dot(touch.normal, change) - by_itself;
   double force = 0;
-  if (free < touch.range)
-    force = touch.share * (touch.range / settled_gap(free, motion.step * opening * touch.share, touch.range) - 1);
+  if (free < touch.room)
+    force = touch.share * (touch.room / settled_room(free, motion.step * opening * touch.share, touch.room) - 1);
   const Vec3 step = (force - touch.force) * touch.normal;
   touch.force = force;
   for (std::size_t k = 0; k < 4; ++k) {
@@ -449,7 +454,7 @@ void SurfaceContact::add_forces(const ContactMotion& motion, std::span<Vec3> for
   double change = 1;
   for (int turn = 0; turn < most_turns && change > tolerance; ++turn) {
     change = 0;
-    for (Touch& touch : touches_) change = std::max(change, settle(touch, motion) / touch.range);
+    for (Touch& touch : touches_) change = std::max(change, settle(touch, motion) / touch.room);
   }
   for (const Touch& touch : touches_) add_touch(touch, motion.step, nodes.n_own, forces);
 }

@@ -9,11 +9,12 @@
 namespace pliant {
 
 /// Contact of surfaces whose vertices move by themselves. At gap g < range they press on each other with about
-///   p(g) = strength (range / g - 1),
-/// without a bound as the gap closes, so no pressure brings them to touch.
+///   p(g) = strength (range - g) / (g - floor),
+/// floor = range / 5, but not more than half the gap at the start of a step of the fluid: no pressure brings surfaces
+/// to touch, and no step takes more than half of what little is between them.
 struct ContactLaw {
   double range = 0;
-  double strength = 0;  ///< the pressure at a gap of half the range
+  double strength = 0;  ///< the pressure at a gap of 0.6 ranges
   bool with_itself = true;
 };
 
@@ -52,7 +53,8 @@ struct ContactMotion {
 ///
 /// Two deformable bodies are advanced apart from each other. Each takes the other to deviate from the motion at the
 /// beginning of the step as itself does, mirrored: seen so from both sides a gap that is positive for both is positive
-/// in fact, and neither pushes twice. Nothing but the own body has to be known but for what `begin` is told.
+/// in fact, up to what directions turn within the step, for which there is the floor; and neither pushes twice. Nothing
+/// but the own body has to be known but for what `begin` is told.
 class SurfaceContact {
  public:
   SurfaceContact(const ContactLaw& law, const RepulsionBox& walls) : law_(law), walls_(walls) {}
@@ -87,14 +89,16 @@ class SurfaceContact {
     Partner partner = Partner::itself;
     double share = 0;  // strength times area
     double range = 0;
-    Vec3 direction;  // from the second to the first element, when last looked at; 0: never
+    Vec3 direction;     // from the second to the first element, when last looked at; 0: never
+    double floor = -1;  // below which this step does not bring the gap; negative: not yet known
   };
   struct Touch {
     std::array<int, 4> nodes;
     std::array<double, 4> weights;  // of the gap's change with the nodes' positions, along the normal
     Vec3 normal;
-    double gap, free_gap;  // now, and at the end without contact
-    double share, range;
+    double gap;
+    double free_room, room;  // above the floor: at the end without contact, and at the range
+    double share;
     Partner partner;
     double force = 0;
   };

@@ -2,6 +2,7 @@
 
 #include "coupling/advance_body.hpp"
 #include "coupling/contact.hpp"
+#include "mesh/box_cells.hpp"
 #include "mesh/crossing.hpp"
 #include "mesh/distance.hpp"
 #include "mpi/coupling/small_cases.hpp"
@@ -142,8 +143,12 @@ void expect_apart(const Bodies& bodies, const Seen& seen, Vec3 box, int step) {
       for (Vec3& x : moved)
         for (int d = 0; d < 3; ++d) x[d] += box[d] * std::round(apart[d] / box[d]);
       const auto& mesh = bodies.kinds()[b].prototype.mesh;
+      const Box around = box_around(moved);
       for (const Vec3 x : seen.positions[a])
-        ASSERT_LT(winding_number(x, mesh, moved), 0.5) << "a vertex of body " << a << " is in " << b << " at " << step;
+        if (around.meets({x, x})) {
+          ASSERT_LT(winding_number(x, mesh, moved), 0.5)
+              << "a vertex of body " << a << " is in " << b << " at " << step;
+        }
       ASSERT_FALSE(find_crossing({bodies.kinds()[a].prototype.mesh, seen.positions[a]}, {mesh, moved}, 0)) << step;
     }
 }
@@ -157,7 +162,7 @@ void expect_no_crossing(const Scene& scene) {
     together.advance(step);
     together.set_last_step(step);
     const auto seen = together.look();
-    EXPECT_LT(norm(seen.momentum - momentum), 1e-12) << "step " << n;
+    EXPECT_LT(norm(seen.momentum - momentum), 1e-12 * (1 + norm(momentum))) << "step " << n;
     nearest = std::min(nearest, distance_between(seen, scene.config.box.size));
     expect_apart(together.bodies(), seen, scene.config.box.size, n);
     if (testing::Test::HasFatalFailure()) return;
