@@ -383,8 +383,9 @@ struct CouplingConfig {
 };
 
 struct RepulsionConfig {
-  double range = 0;     ///< 0: none
-  double strength = 0;  ///< pressure scale
+  double range = 0;         ///< 0: none
+  double strength = 0;      ///< pressure scale
+  bool with_itself = true;  ///< deformable bodies
 };
 
 struct HistoryConfig {

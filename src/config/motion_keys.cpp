@@ -192,8 +192,10 @@ void add_interaction_keys(std::vector<Key<CaseConfig>>& keys) {
       {"repulsion.range", "length", "within which surfaces push each other off; 0: they do not"},
       [](auto& c) { return &c.repulsion.range; }, at_least(0)));
   add(make_key<CaseConfig>(
-      {"repulsion.strength", "pressure", "scale of the repulsion"}, [](auto& c) { return &c.repulsion.strength; },
-      at_least(0)));
+      {"repulsion.strength", "pressure", "of rigid bodies: the most that they bear; of deformable ones: at 0.6 ranges"},
+      [](auto& c) { return &c.repulsion.strength; }, at_least(0)));
+  add(make_key<CaseConfig>({"repulsion.with_itself", "", "deformable bodies do not pass through themselves either"},
+                           [](auto& c) { return &c.repulsion.with_itself; }));
 }
 
 }  // namespace pliant

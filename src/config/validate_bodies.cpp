@@ -148,12 +148,23 @@ class MotionValidator {
           "other off, or leave out both");
     if (suspect_.count("box.size") > 0) return;
     for (int d = 0; d < 3; ++d)
+      if (has_deformable() && has_walls(config_.boundary, d) && repulsion.range > 0.25 * config_.box.size[d])
+        add("repulsion.range",
+            fmt::format("is {}, more than a quarter of the box along {} ({}), which has walls: a deformable body would "
+                        "be within range of both wherever it is; shorten the range",
+                        repulsion.range, "xyz"[d], config_.box.size[d]));
+    for (int d = 0; d < 3; ++d)
       if (is_periodic(config_.boundary, d) && repulsion.range > 0.5 * config_.box.size[d])
         add("repulsion.range",
             fmt::format(
                 "is {}, more than half of the periodic direction {} ({}): a body would meet itself; shorten the "
                 "range",
                 repulsion.range, "xyz"[d], config_.box.size[d]));
+  }
+
+  bool has_deformable() const {
+    return std::any_of(config_.bodies.begin(), config_.bodies.end(),
+                       [](const BodyConfig& body) { return body.motion == MotionKind::deformable; });
   }
 
   const CaseConfig& config_;

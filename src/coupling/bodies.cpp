@@ -81,7 +81,7 @@ Body Bodies::make_copy(std::size_t k, long id, const Placement& placement) const
   body.surface.reference = body.surface.positions;
   body.surface.origin = body.origin;
   body.surface.orientation = body.start_orientation;
-  body.told = body.told_before = body.pose;
+  body.told = body.told_before = body.met = body.pose;
   return body;
 }
 

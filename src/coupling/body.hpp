@@ -58,7 +58,8 @@ struct BodyLoads {
   RigidLoad reaction;  ///< of the fluid on the markers: minus the forcing
   RigidLoad balance;   ///< of the outer fluid, from the momentum balance
   RigidLoad probes;    ///< from the stress at the probes; not a number while a probe is outside the box
-  RigidLoad contact;   ///< repulsion
+  RigidLoad contact;   ///< with other bodies and walls
+  RigidLoad pressed;   ///< the part of it that deformable bodies had in the last step
 };
 
 /// Signs of an instability of loose coupling: accelerations that change sign from step to step, and grow.
@@ -83,6 +84,7 @@ struct Body {
   HingeState hinge;
   double hinge_acceleration = 0;
   RigidState told, told_before;  ///< pose and motion that the flow was last told, and in the step before
+  RigidState met;                ///< pose when deformable bodies last ended a step
   BodyLoads loads;
   std::vector<Vec3> told_positions, told_velocities;  ///< of deformable bodies that the flow has to follow
   std::vector<Vec3> flow_forces, accelerations;       ///< of these, by vertex, in the last step

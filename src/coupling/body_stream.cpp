@@ -21,6 +21,7 @@ void write_body(const Body& body, const BodyKind& kind, ByteWriter& out) {
   out.write(body.hinge_acceleration);
   out.write(body.told);
   out.write(body.told_before);
+  out.write(body.met);
   out.write(body.loads);
   out.write(body.scheme);
   out.write(body.swing);
@@ -47,6 +48,7 @@ void read_body(ByteReader& in, const BodyKind& kind, Body& body) {
   in.read(body.hinge_acceleration);
   in.read(body.told);
   in.read(body.told_before);
+  in.read(body.met);
   in.read(body.loads);
   in.read(body.scheme);
   in.read(body.swing);

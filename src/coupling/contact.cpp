@@ -17,7 +17,12 @@ RepulsionSide side_of(const BoundarySpec& spec) {
 }  // namespace
 
 Contact::Contact(const Grid& grid, const CaseConfig& config)
-    : grid_(grid), repulsion_{config.repulsion.strength, config.repulsion.range} {
+    : grid_(grid),
+      repulsion_{config.repulsion.strength, config.repulsion.range},
+      law_{config.repulsion.range, config.repulsion.strength, config.repulsion.with_itself},
+      has_deformable_(std::any_of(config.bodies.begin(), config.bodies.end(),
+                                  [](const BodyConfig& b) { return b.motion == MotionKind::deformable; })),
+      near_(grid, config.repulsion.range) {
   box_.origin = grid.origin();
   box_.size = grid.size();
   std::transform(config.boundary.begin(), config.boundary.end(), box_.sides.begin(), side_of);
@@ -27,6 +32,7 @@ void Contact::find(Bodies& bodies) const {
   std::vector<Vec3> positions;
   std::vector<double> numbers;  // area and body of every vertex
   for (const Body& body : bodies.own()) {
+    if (!bodies.kind_of(body).has_pose()) continue;
     const auto areas = vertex_areas(body.surface.mesh, body.surface.positions);
     for (std::size_t v = 0; v < areas.size(); ++v) {
       positions.push_back(body.surface.positions[v]);
@@ -60,9 +66,60 @@ void Contact::find(Bodies& bodies) const {
 
   std::size_t at = 0;
   for (Body& body : bodies.own()) {
+    if (!bodies.kind_of(body).has_pose()) continue;
     const std::size_t n = body.surface.positions.size();
-    body.loads.contact = total_load(body.surface.positions, std::span(forces).subspan(at, n), body.pose.center);
+    body.loads.contact =
+        body.loads.pressed + total_load(body.surface.positions, std::span(forces).subspan(at, n), body.pose.center);
     at += n;
+  }
+}
+
+void Contact::begin(const Bodies& bodies, double step, PosedBodies posed) {
+  if (!is_wanted() || !has_deformable_) return;
+  auto obstacles = near_.find(bodies, step, posed);
+  std::erase_if(contacts_, [&](const auto& entry) { return bodies.find(entry.first) == nullptr; });
+  for (std::size_t b = 0; b < obstacles.size(); ++b) {
+    const Body& body = bodies.own()[b];
+    if (bodies.kind_of(body).has_pose()) continue;
+    contacts_.try_emplace(body.id, law_, box_).first->second.begin(body.surface, std::move(obstacles[b]), step);
+  }
+}
+
+SurfaceContact* Contact::of(const Body& body) {
+  const auto found = contacts_.find(body.id);
+  return found == contacts_.end() ? nullptr : &found->second;
+}
+
+void Contact::end(Bodies& bodies, double step) {
+  if (!is_wanted() || !has_deformable_) return;
+  std::vector<std::span<const Vec3>> on_obstacles;
+  for (const Body& body : bodies.own()) {
+    const auto* contact = of(body);
+    on_obstacles.push_back(contact != nullptr ? contact->impulses_on_obstacles() : std::span<const Vec3>{});
+  }
+  const auto told = near_.bring_back(bodies, on_obstacles);
+  for (std::size_t b = 0; b < told.size(); ++b) {
+    Body& body = bodies.own()[b];
+    auto& surface = body.surface;
+    if (bodies.kind_of(body).has_pose()) {
+      body.loads.pressed = total_load(surface.positions, told[b], body.pose.center);
+      body.loads.pressed.force *= 1 / step;
+      body.loads.pressed.torque *= 1 / step;
+      body.met = body.pose;
+      continue;
+    }
+    // What others say they did to it, against what it took itself: each side gives way by half, as a whole. Vertex by
+    // vertex the two differ by what is fast in either body, which must not drive the other.
+    const auto* contact = of(body);
+    const auto taken = contact->impulses_of_yielding();
+    const auto resistances = contact->resistances();
+    Vec3 missing;
+    double inertia = 0;
+    for (std::size_t v = 0; v < taken.size(); ++v) {
+      missing += 0.5 * (told[b][v] - taken[v]);
+      inertia += surface.masses[v] + step * resistances[v];
+    }
+    for (Vec3& velocity : surface.velocities) velocity += missing / inertia;
   }
 }
 

@@ -129,7 +129,7 @@ void CoupledFlow::advance_one_way_bodies(double step) {
   if (!has_one_way_) return;
   settle();
   const auto scope = timer_.measure("bodies: motion");
-  advance_one_way(bodies_, sampler_, config_.fluid, step);
+  advance_one_way(bodies_, sampler_, config_.fluid, contact_, step);
 }
 
 void CoupledFlow::diagnose() {

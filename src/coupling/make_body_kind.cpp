@@ -156,6 +156,20 @@ void require_enough_markers(const BodyKind& kind, const CaseConfig& config, cons
                   place_of(config, kind), correction, DirectForcing::largest_stable_correction));
 }
 
+/// Contact of a body whose own sides are within range of each other everywhere says nothing.
+void require_short_range(const BodyKind& kind, const CaseConfig& config) {
+  if (kind.has_pose() || !(config.repulsion.strength > 0)) return;
+  const double least = kind.is_closed() ? kind.prototype.radius
+                                        : 0.5 * std::sqrt(total_area(kind.prototype.mesh, kind.prototype.positions));
+  if (config.repulsion.range <= 0.5 * least) return;
+  throw InputError(
+      fmt::format("{} is {}, more than half of the size of body '{}' ({:.4g}); for contact of deformable bodies one to "
+                  "one and a half "
+                  "grid spacings ({:.4g}) will do",
+                  place_of(config, "repulsion.range"), config.repulsion.range, kind.config.name, least,
+                  config.box.size.x / config.box.cells[0]));
+}
+
 }  // namespace
 
 BodyKind make_body_kind(const CaseConfig& config, std::size_t index, Surface shape, const Grid& grid) {
@@ -189,6 +203,7 @@ BodyKind make_body_kind(const CaseConfig& config, std::size_t index, Surface sha
   kind.coupling = choose_coupling(kind, reason);
   set_softness(kind, config, grid);
   require_enough_markers(kind, config, grid);
+  require_short_range(kind, config);
   return kind;
 }
 

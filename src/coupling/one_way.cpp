@@ -24,13 +24,14 @@ std::string find_outside(const DeformableBody& body, std::span<const Vec3> point
                      body.name, x.x, x.y, x.z, explain_outside(body.traction));
 }
 
-int advance_in(const Traction& traction, DeformableBody& body, double step) {
+int advance_in(const Traction& traction, DeformableBody& body, SurfaceContact* contact, double step) {
   ShapeState shape(body.mesh, body.positions);
   VertexLoads loads;
   traction.evaluate(body, shape, loads);
   const int substeps = count_substeps(body, loads, step);
   for (int i = 0; i < substeps; ++i) {
-    advance_vertices(body, shape, loads, step / substeps);
+    if (contact != nullptr) advance_vertices(body, shape, loads, step / substeps, *contact, i * step / substeps);
+    else advance_vertices(body, shape, loads, step / substeps);
     shape.update(body.positions);
     if (i + 1 < substeps) traction.evaluate(body, shape, loads);
   }
@@ -42,10 +43,10 @@ int advance_in(const Traction& traction, DeformableBody& body, double step) {
 
 int advance_one_way(DeformableBody& body, const FlowSampler& flow, const FluidConfig& fluid, double step) {
   if (body.motion == MotionKind::fixed) return 0;
-  return advance_in(Traction(body, flow, fluid), body, step);
+  return advance_in(Traction(body, flow, fluid), body, nullptr, step);
 }
 
-void advance_one_way(Bodies& bodies, const FlowSampler& flow, const FluidConfig& fluid, double step) {
+void advance_one_way(Bodies& bodies, const FlowSampler& flow, const FluidConfig& fluid, Contact& contact, double step) {
   std::vector<Body*> moved;
   std::vector<Vec3> points;
   std::vector<std::size_t> begin(1, 0);
@@ -64,15 +65,17 @@ void advance_one_way(Bodies& bodies, const FlowSampler& flow, const FluidConfig&
   agree(ranks, problem);
   std::vector<FlowSample> samples(points.size());
   flow.sample(points, samples);
+  contact.begin(bodies, step, PosedBodies::at_its_end);
   for (std::size_t b = 0; b < moved.size() && problem.empty(); ++b) {
     const auto n = begin[b + 1] - begin[b];
     auto& body = moved[b]->surface;
     try {
       advance_in(Traction(std::span(points).subspan(begin[b], n), std::span(samples).subspan(begin[b], n), fluid), body,
-                 step);
+                 contact.of(*moved[b]), step);
     } catch (const RunError& error) { problem = error.what(); }
   }
   agree(ranks, problem);
+  contact.end(bodies, step);
 }
 
 }  // namespace pliant

@@ -1,6 +1,6 @@
 #pragma once
 #include "config/case_config.hpp"
-#include "coupling/bodies.hpp"
+#include "coupling/contact.hpp"
 #include "structure/deformable_body.hpp"
 #include "transfer/flow_sample.hpp"
 
@@ -11,7 +11,8 @@ namespace pliant {
 /// Throws RunError if the motion breaks down or the body leaves the box.
 int advance_one_way(DeformableBody& body, const FlowSampler& flow, const FluidConfig& fluid, double step);
 
-/// The same for all deformable bodies of all ranks, with one sampling of the flow. Collective. Throws CollectiveError.
-void advance_one_way(Bodies& bodies, const FlowSampler& flow, const FluidConfig& fluid, double step);
+/// The same for all deformable bodies of all ranks, with one sampling of the flow, and contact between bodies, of which
+/// those with a pose have already moved through the step. Collective. Throws CollectiveError.
+void advance_one_way(Bodies& bodies, const FlowSampler& flow, const FluidConfig& fluid, Contact& contact, double step);
 
 }  // namespace pliant

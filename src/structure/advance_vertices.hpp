@@ -1,5 +1,6 @@
 #pragma once
 #include "structure/deformable_body.hpp"
+#include "structure/surface_contact.hpp"
 #include "structure/vertex_loads.hpp"
 
 namespace pliant {
@@ -11,6 +12,11 @@ namespace pliant {
 /// afterwards body.forces are F_int + F_load of the start of the substep, and `shape` must be updated. Pinned vertices
 /// stay; their forces are what the pins have to bear.
 void advance_vertices(DeformableBody& body, const ShapeState& shape, const VertexLoads& loads, double step);
+
+/// The same with contact: its forces act over the velocities that a substep would end with without it. `elapsed`: time
+/// since contact.begin. body.forces then hold contact as well.
+void advance_vertices(DeformableBody& body, const ShapeState& shape, const VertexLoads& loads, double step,
+                      SurfaceContact& contact, double elapsed);
 
 /// m v^2 / 2 of all vertices.
 double kinetic_energy(const DeformableBody& body);

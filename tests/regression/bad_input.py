@@ -255,6 +255,8 @@ bad_motion("repulsion without strength", "fixed", "", [r"repulsion\.range is giv
 bad_motion("repulsion without range", "fixed", "", [r"repulsion\.strength is given"], more="[repulsion]\nstrength = 1\n")
 bad_motion("repulsion across the box", "fixed", "", [r"repulsion\.range is 3, more than half of the periodic direction x"],
            more="[repulsion]\nrange = 3\nstrength = 1\n")
+bad_motion("contact as wide as the body", "deformable", 'coupling = "one-way"',
+           [r"repulsion\.range is 0\.6, more than half of the size of body 'drop'"], more="[repulsion]\nrange = 0.6\nstrength = 1\n")
 bad_motion("several problems of a motion", "hinge", 'coupling = "one-way"\ncount = 2\nhinge.axis = [0, 0, 0]',
            ["3 problems", r"coupling", r"count", r"hinge\.axis"])
 

@@ -9,3 +9,4 @@ pliant_test(motion_test SOURCES ${dir}/quaternion_test.cpp ${dir}/rigid_body_tes
 pliant_test(repulsion_test SOURCES ${dir}/repulsion_test.cpp LIBS pliant_structure)
 pliant_test(network_moduli_test SOURCES ${dir}/network_moduli_test.cpp LIBS pliant_structure)
 target_include_directories(network_moduli_test PRIVATE ${CMAKE_SOURCE_DIR}/tests)
+pliant_test(surface_contact_test SOURCES ${dir}/surface_contact_test.cpp LIBS pliant_structure)
