@@ -4,12 +4,14 @@
 #include <limits>
 
 #include "mesh/geometry.hpp"
+#include "structure/interface_mesh.hpp"
 #include "structure/stable_time_step.hpp"
 
 namespace pliant {
 namespace {
 
 constexpr double largest_alpha = 8.0 / 15;  // of a substep
+constexpr double evening = 0.1;             // of the way to an even mesh, a substep
 
 bool has_mass(const DeformableBody& body) {
   return std::any_of(body.masses.begin(), body.masses.end(), [](double m) { return m > 0; });
@@ -18,7 +20,8 @@ bool has_mass(const DeformableBody& body) {
 }  // namespace
 
 ForceSpreading::ForceSpreading(const Grid& grid, const CaseConfig& config, Bodies& bodies)
-    : SoftBodies(grid, config, bodies, CouplingKind::force_spreading), step_limit_(std::numeric_limits<double>::infinity()) {
+    : SoftBodies(grid, config, bodies, CouplingKind::force_spreading),
+      step_limit_(std::numeric_limits<double>::infinity()) {
   for (const auto& kind : bodies.kinds()) {
     if (kind.has_pose() || kind.coupling != CouplingKind::force_spreading) continue;
     step_limit_ = std::min(step_limit_, substep_safety * kind.layered_limit / largest_alpha);
@@ -34,8 +37,15 @@ void ForceSpreading::adopt_flow(const FlowState& flow) {
     for (std::size_t v = 0; v < surface.velocities.size(); ++v)
       surface.velocities[v] = surface.is_pinned(v) ? Vec3{} : velocities_[part.begin + v];
     part.body->mass_velocities = surface.velocities;
+    if (surface.is_interface) keep_normal_part(surface.mesh, surface.positions, surface.velocities);
     part.body->pose.center = mean_position(surface.positions);
   }
+}
+
+Vec3 ForceSpreading::common_velocity(const VertexTransfer::Part& part, std::span<const Vec3> velocities) const {
+  const auto& surface = part.body->surface;
+  return surface.is_interface ? centroid_velocity(surface.mesh, surface.positions, velocities)
+                              : mean_of(part, velocities);
 }
 
 void ForceSpreading::drift(double time) {
@@ -64,8 +74,7 @@ void ForceSpreading::before(const Substep& substep, double dt) {
   transfer_.spread_forces(forces_);
   transfer_.fields().hand_over();
   for (Vec3& f : forces_) f *= time;
-  for (const auto& part : transfer_.parts())
-    count_impulse(part, part.of(forces_));
+  for (const auto& part : transfer_.parts()) count_impulse(part, part.of(forces_));
 }
 
 void ForceSpreading::predicted(const Substep&, double, View<FaceX> u, View<FaceY> v, View<FaceZ> w) {
@@ -74,7 +83,7 @@ void ForceSpreading::predicted(const Substep&, double, View<FaceX> u, View<FaceY
   for (const auto& part : transfer_.parts()) {
     Body& body = *part.body;
     const auto& surface = body.surface;
-    const Vec3 mean = part.kind->config.held ? mean_of(part, part.of(velocities_)) : Vec3{};
+    const Vec3 mean = part.kind->config.held ? common_velocity(part, part.of(velocities_)) : Vec3{};
     for (std::size_t n = 0; n < part.size(); ++n) {
       const std::size_t i = part.begin + n;
       const Vec3 before = velocities_[i];
@@ -98,11 +107,14 @@ void ForceSpreading::corrected(const Substep& substep, double dt, const FlowStat
   transfer_.find_velocities(flow.u.view(), flow.v.view(), flow.w.view(), velocities_);
   for (const auto& part : transfer_.parts()) {
     auto& surface = part.body->surface;
-    const Vec3 mean = part.kind->config.held ? mean_of(part, part.of(velocities_)) : Vec3{};
+    const Vec3 mean = part.kind->config.held ? common_velocity(part, part.of(velocities_)) : Vec3{};
     for (std::size_t v = 0; v < surface.velocities.size(); ++v)
       surface.velocities[v] = surface.is_pinned(v) ? Vec3{} : velocities_[part.begin + v] - mean;
+    if (surface.is_interface) keep_normal_part(surface.mesh, surface.positions, surface.velocities);
   }
   drift(0.5 * substep.alpha * dt);
+  for (const auto& part : transfer_.parts())
+    if (auto& surface = part.body->surface; surface.is_interface) even_out(surface.mesh, surface.positions, evening);
 }
 
 }  // namespace pliant
