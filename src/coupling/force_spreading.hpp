@@ -14,7 +14,7 @@ namespace pliant {
 /// Mass m a unit of area: V, the velocity of the membrane's momentum, and the layer of fluid around it, rho h a unit of
 /// area, meet in each substep at V' = (m V + rho h U*)/(m + rho h), U* the predicted velocity; what this changes in the
 /// layer is spread, so that momentum is conserved. Pinned vertices are infinitely heavy. A body that is held gives the
-/// flow what keeps its mean velocity zero.
+/// flow what keeps it at rest: a closed one its centroid, by a body force inside, an open one the mean of its vertices.
 ///
 /// The vertices of a liquid interface (surface tension alone, without mesh_control) move along its normals and are kept
 /// even along the surface: what they do there, the flow does not feel. With mesh_control it does, and the interface
@@ -39,8 +39,11 @@ class ForceSpreading : public SoftBodies {
 
  private:
   void drift(double time);
-  /// What a held body must not have.
+  /// Of the enclosed volume's centroid, or the mean over an open surface.
   Vec3 common_velocity(const VertexTransfer::Part& part, std::span<const Vec3> velocities) const;
+  /// The force that holds a closed body, from what it remembers, and what it is to remember.
+  void add_hold(const VertexTransfer::Part& part, double time, std::span<Vec3> forces) const;
+  void adjust_hold(const VertexTransfer::Part& part, double dt, Vec3 left) const;
 
   double step_limit_;
   bool has_inertia_ = false;

@@ -7,18 +7,8 @@
 namespace pliant {
 namespace {
 
-/// Of the enclosed volume.
-std::vector<Vec3> volume_gradient(const TriangleMesh& mesh, std::span<const Vec3> positions) {
-  std::vector<Vec3> gradient(positions.size());
-  for (const Face& face : mesh.vertices_of_face()) {
-    const Vec3 third = face_vector(face, positions) / 6.0;
-    for (int v : face) gradient[static_cast<std::size_t>(v)] += third;
-  }
-  return gradient;
-}
-
-// The integral of (x - centre) V.n over the surface is what moves the centroid. In a closed polyhedron the sum of
-// x N^T over the vertices is the volume times the unit matrix, which makes it exact for a translation.
+// The integral of (x - centre) V.n over the surface is what moves the centroid. The sum of x N^T makes it
+// exact for a translation.
 Vec3 centroid_velocity(std::span<const Vec3> gradient, std::span<const Vec3> positions,
                        std::span<const Vec3> velocities) {
   const Vec3 centre = mean_position(positions);
