@@ -205,7 +205,7 @@ struct AreaConfig {
 };
 struct SurfaceTensionConfig {
   double sigma = 0;
-  double mesh_control = 0;  ///< stiffness of the tangential springs that keep the mesh even; 0: a fraction of sigma
+  double mesh_control = 0;  ///< stiffness of tangential springs between vertices; 0: by the coupling
 };
 enum class MembraneLaw { neo_hookean, skalak };
 struct MembraneConfig {

@@ -155,7 +155,7 @@ void add_motion_keys(std::vector<BodyKey>& keys) {
                                  });
   };
   keys.push_back(soft(make_key<BodyConfig>({"held", "",
-                                 "a force shared over the surface keeps its mean velocity zero, so that it deforms but "
+                                 "a force shared over the surface keeps its centre at rest, so that it deforms but "
                                  "does not drift; the body's table has the flow's force on it"},
                                 [](auto& b) { return &b.held; })));
   keys.push_back(soft(make_key<BodyConfig>({"volume_correction", "",

@@ -95,9 +95,12 @@ void add_potentials(std::vector<BodyKey>& keys) {
                              &P::total_area, &AreaConfig::stiffness, at_least(0))));
   add(required(potential_key({"surface_tension.sigma", "energy / area", "tension of a liquid-liquid interface"},
                              &P::surface_tension, &SurfaceTensionConfig::sigma, at_least(0))));
-  add(potential_key({"surface_tension.mesh_control", "force / length",
-                     "stiffness of the tangential springs that keep the mesh even; 0: a fraction of sigma"},
-                    &P::surface_tension, &SurfaceTensionConfig::mesh_control, at_least(0)));
+  add(potential_key(
+      {"surface_tension.mesh_control", "force / length",
+       "stiffness of tangential springs between vertices, which keep the mesh even and, in two-way flow, resist "
+       "stretching as surfactants do; 0: with force-spreading none, as the mesh is then kept even without "
+       "forces, else sigma / sqrt(3)"},
+      &P::surface_tension, &SurfaceTensionConfig::mesh_control, at_least(0)));
 }
 
 /// A name that has no default.

@@ -8,6 +8,7 @@
 #include "config/word.hpp"
 #include "mesh/geometry.hpp"
 #include "structure/placement.hpp"
+#include "structure/stable_time_step.hpp"
 
 namespace pliant {
 namespace {
@@ -30,15 +31,27 @@ CouplingKind choose_for_deformable(const BodyKind& kind, std::string& reason) {
   const auto asked = kind.config.coupling;
   const auto& masses = kind.prototype.masses;
   const bool massless = std::all_of(masses.begin(), masses.end(), [](double m) { return m == 0; });
-  if (asked == CouplingKind::automatic) {
-    reason = massless ? "it has no mass of its own" : "it has mass of its own";
-    return massless ? CouplingKind::force_spreading : CouplingKind::local_mass;
+  if (asked != CouplingKind::automatic) {
+    reason = "as given";
+    return asked;
   }
-  reason = "as given";
-  return asked;
+  if (massless) {
+    reason = "it has no mass of its own";
+    return CouplingKind::force_spreading;
+  }
+  const double steps = kind.convective_step / force_spreading_limit(kind);
+  const bool stiff = steps > largest_stiffness;
+  reason = fmt::format("its stiffness asks for steps {:.2g} times as short as the flow does, {} {:.2g}", steps,
+                       stiff ? "above" : "at most", largest_stiffness);
+  return stiff ? CouplingKind::local_mass : CouplingKind::force_spreading;
 }
 
 }  // namespace
+
+double force_spreading_limit(const BodyKind& kind) {
+  constexpr double largest_alpha = 8.0 / 15;  // of a substep
+  return substep_safety * kind.layered_limit / largest_alpha;
+}
 
 double added_mass_ratio(const BodyKind& kind, double fluid_density, double spacing) {
   if (!kind.is_free()) return 0;

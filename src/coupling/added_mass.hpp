@@ -17,6 +17,13 @@ double added_mass_ratio(const BodyKind& kind, double fluid_density, double spaci
 /// at nu dt / dx^2 of 2.5 to 7. At 0.45 both calm down.
 inline constexpr double largest_loose_ratio = 0.45;
 
+/// Above this ratio of the flow's own step to the one that force-spreading is stable with "auto" moves a membrane with
+/// mass by local-mass: it holds larger steps, but damps more and slips (docs/coupling.md).
+inline constexpr double largest_stiffness = 4;
+
+/// The largest fluid step that force-spreading takes with a body.
+double force_spreading_limit(const BodyKind& kind);
+
 /// The coupling of a body, "auto" resolved; `reason` says why in a sentence.
 CouplingKind choose_coupling(const BodyKind& kind, std::string& reason);
 

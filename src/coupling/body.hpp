@@ -35,6 +35,8 @@ struct BodyKind {
   bool restores_volume = false;         ///< of a soft body
   double layered_limit = 0;             ///< of a soft body's substeps: 2/omega, the layer of fluid at its wall included
 
+  double convective_step = 0;           ///< what the speeds in the case let the flow take; infinite if they are 0
+
   bool is_closed() const { return displaced.volume > 0; }
   /// Fluid on both sides, and no thickness that the flow should feel.
   bool is_thin_sheet() const { return !is_closed() && config.thin_sheet && config.coupling != CouplingKind::one_way; }

@@ -3,8 +3,8 @@
 
 namespace pliant {
 
-/// Force-spreading: the vertices of a deformable body move with the flow, and its forces act on the flow. For interfaces
-/// and membranes that are light, or whose own inertia does not matter: drops, capsules, cells.
+/// Force-spreading: the vertices of a deformable body move with the flow, and its forces act on the flow. For
+/// interfaces and membranes that are light, or whose own inertia does not matter: drops, capsules, cells.
 ///
 /// In every substep, with U the flow's velocity at the vertices, found by the transpose of what spreads forces F(x):
 ///   x' = x + (alpha dt/2) U,  the flow under F(x') for alpha dt,  U' at x',  x'' = x' + (alpha dt/2) U'
@@ -14,7 +14,11 @@ namespace pliant {
 /// Mass m a unit of area: V, the velocity of the membrane's momentum, and the layer of fluid around it, rho h a unit of
 /// area, meet in each substep at V' = (m V + rho h U*)/(m + rho h), U* the predicted velocity; what this changes in the
 /// layer is spread, so that momentum is conserved. Pinned vertices are infinitely heavy. A body that is held gives the
-/// flow what keeps its mean velocity zero.
+/// flow what keeps it at rest: a closed one its centroid, by a body force inside, an open one the mean of its vertices.
+///
+/// The vertices of a liquid interface (surface tension alone, without mesh_control) move along its normals and are kept
+/// even along the surface: what they do there, the flow does not feel. With mesh_control it does, and the interface
+/// resists stretching along the surface as one with surfactants does.
 ///
 /// Stable up to alpha dt omega = 2, omega the largest frequency of the vertices with the layer's mass (step_limit).
 class ForceSpreading : public SoftBodies {
@@ -33,6 +37,11 @@ class ForceSpreading : public SoftBodies {
 
  private:
   void drift(double time);
+  /// Of the enclosed volume's centroid, or the mean over an open surface.
+  Vec3 common_velocity(const VertexTransfer::Part& part, std::span<const Vec3> velocities) const;
+  /// The force that holds a closed body, from what it remembers, and what it is to remember.
+  void add_hold(const VertexTransfer::Part& part, double time, std::span<Vec3> forces) const;
+  void adjust_hold(const VertexTransfer::Part& part, double dt, Vec3 left) const;
 
   double step_limit_;
   bool has_inertia_ = false;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "config/validate.hpp"
 #include "core/angles.hpp"
@@ -122,8 +123,34 @@ void set_shape(BodyKind& kind, const Grid& grid) {
   else if (retraction > 0) kind.layout.draw_in(body.mesh, body.positions, retraction);
 }
 
+/// The step of the flow at the largest speed that the case names.
+double convective_step(const CaseConfig& config, const Grid& grid) {
+  double rate = grid.convective_rate(config.initial.velocity);
+  if (config.initial.flow == InitialFlow::taylor_green || config.initial.flow == InitialFlow::poiseuille)
+    rate = std::max(rate, std::abs(config.initial.amplitude) / grid.smallest_spacing());
+  for (const auto& side : config.boundary) {
+    if (const auto* wall = std::get_if<WallSide>(&side)) rate = std::max(rate, grid.convective_rate(wall->velocity));
+    if (const auto* inflow = std::get_if<InflowSide>(&side))
+      rate = std::max(rate, grid.convective_rate(inflow->velocity));
+  }
+  if (const auto& bulk = config.forcing.bulk_velocity)
+    rate = std::max(rate, std::abs(bulk->value) / grid.smallest_spacing());
+  return config.time.step.value_or(config.time.cfl / rate);
+}
+
+void set_step_limits(BodyKind& kind, const CaseConfig& config, const Grid& grid) {
+  if (kind.has_pose() || kind.config.coupling == CouplingKind::one_way) return;
+  const auto& body = kind.prototype;
+  auto masses = body.masses;
+  for (std::size_t v = 0; v < masses.size(); ++v)
+    masses[v] += config.fluid.density * grid.mean_spacing() * body.reference_areas[v];
+  kind.layered_limit =
+      stable_time_step(find_largest_frequency(body, masses), 0, find_largest_damping_rate(body, masses));
+  kind.convective_step = convective_step(config, grid);
+}
+
 /// A soft body meets the flow at its vertices, if faces are small enough for the grid; marker points serve all others.
-void set_softness(BodyKind& kind, const CaseConfig& config, const Grid& grid) {
+void set_softness(BodyKind& kind, const Grid& grid) {
   if (!kind.is_soft()) return;
   const auto& body = kind.prototype;
   const auto lengths = edge_lengths(body.mesh, body.positions);
@@ -137,10 +164,6 @@ void set_softness(BodyKind& kind, const CaseConfig& config, const Grid& grid) {
     kind.layout = MarkerLayout(body.mesh, parts);
   }
   kind.restores_volume = kind.is_closed() && kind.config.volume_correction;
-  auto masses = body.masses;
-  for (std::size_t v = 0; v < masses.size(); ++v)
-    masses[v] += config.fluid.density * grid.mean_spacing() * body.reference_areas[v];
-  kind.layered_limit = stable_time_step(find_largest_frequency(body, masses), 0, find_largest_damping_rate(body, masses));
 }
 
 /// A marker that stands for more than about two cells overshoots, and the flow blows up.
@@ -199,9 +222,10 @@ BodyKind make_body_kind(const CaseConfig& config, std::size_t index, Surface sha
   kind.probes.density = config.fluid.density;
   kind.probes.viscosity = config.fluid.viscosity;
   kind.added_mass_ratio = added_mass_ratio(kind, config.fluid.density, grid.mean_spacing());
+  set_step_limits(kind, config, grid);
   std::string reason;
   kind.coupling = choose_coupling(kind, reason);
-  set_softness(kind, config, grid);
+  set_softness(kind, grid);
   require_enough_markers(kind, config, grid);
   require_short_range(kind, config);
   return kind;

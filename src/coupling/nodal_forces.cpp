@@ -40,14 +40,9 @@ double restore_volume(DeformableBody& body, double volume) {
   constexpr double tolerance = 1e-14;
   const double first = enclosed_volume(body.mesh, body.positions);
   double present = first;
-  std::vector<Vec3> gradient(body.positions.size());
   for (int n = 0; n < most_steps && std::abs(present - volume) > tolerance * std::abs(volume); ++n) {
     const auto areas = vertex_areas(body.mesh, body.positions);
-    std::fill(gradient.begin(), gradient.end(), Vec3{});
-    for (const Face& face : body.mesh.vertices_of_face()) {
-      const Vec3 third = face_vector(face, body.positions) / 6.0;
-      for (int v : face) gradient[static_cast<std::size_t>(v)] += third;
-    }
+    const auto gradient = volume_gradient(body.mesh, body.positions);
     double slope = 0;
     for (std::size_t v = 0; v < gradient.size(); ++v)
       if (!body.is_pinned(v)) slope += dot(gradient[v], gradient[v]) / areas[v];

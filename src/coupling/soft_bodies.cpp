@@ -6,6 +6,7 @@
 #include "mesh/geometry.hpp"
 #include "parallel/agree.hpp"
 #include "structure/advance_vertices.hpp"
+#include "structure/interface_mesh.hpp"
 
 namespace pliant {
 
@@ -35,6 +36,7 @@ void SoftBodies::adopt_flow(const FlowState& flow) {
     for (std::size_t v = 0; v < found.size(); ++v)
       surface.velocities[v] = surface.is_pinned(v) ? Vec3{} : found[v] - mean;
     part.body->mass_velocities = surface.velocities;
+    if (surface.is_interface) keep_normal_part(surface.mesh, surface.positions, surface.velocities);
     part.body->pose.center = mean_position(surface.positions);
   }
 }

@@ -87,6 +87,15 @@ double enclosed_volume(const TriangleMesh& mesh, std::span<const Vec3> positions
   return six_volumes / 6.0;
 }
 
+std::vector<Vec3> volume_gradient(const TriangleMesh& mesh, std::span<const Vec3> positions) {
+  std::vector<Vec3> gradient(positions.size());
+  for (const Face& face : mesh.vertices_of_face()) {
+    const Vec3 third = face_vector(face, positions) / 6.0;
+    for (int v : face) gradient[static_cast<std::size_t>(v)] += third;
+  }
+  return gradient;
+}
+
 Mat3 SolidMoments::inertia() const {
   const double trace = second[0].x + second[1].y + second[2].z;
   Mat3 result;

@@ -35,6 +35,10 @@ double total_area(const TriangleMesh& mesh, std::span<const Vec3> positions);
 /// Volume inside a closed surface; negative if its normals point inwards. Without meaning for an open one.
 double enclosed_volume(const TriangleMesh& mesh, std::span<const Vec3> positions);
 
+/// Derivative of the enclosed volume by each position: along the vertex's normal. The sum of x_v N_v^T over all
+/// vertices is the volume times the unit matrix.
+std::vector<Vec3> volume_gradient(const TriangleMesh& mesh, std::span<const Vec3> positions);
+
 /// Moments of the solid inside a closed surface, exact for the polyhedron.
 struct SolidMoments {
   double volume = 0;

@@ -29,6 +29,7 @@ struct DeformableBody {
   Attachments attachments;           ///< tethers, cords and pulls, in the coordinates of the surface
   Vec3 origin;                       ///< where the origin of these coordinates is, and how they are turned
   Quaternion orientation;
+  bool is_interface = false;        ///< of two liquids: its vertices are no material (interface_mesh.hpp)
   double damping = 0;               ///< force = -damping * velocity, on every vertex
   double inner_damping = 0;         ///< force along an edge = -inner_damping * rate of its length
   TractionConfig traction;          ///< probe_length filled in

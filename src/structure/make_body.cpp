@@ -122,6 +122,22 @@ void find_rates(DeformableBody& body) {
         body.name));
 }
 
+/// By force-spreading, told or chosen.
+bool spreads_forces(const BodyConfig& config) {
+  const bool massless = config.mass_per_vertex.value_or(0) == 0 && config.material.thickness == 0;
+  return config.coupling == CouplingKind::force_spreading || (config.coupling == CouplingKind::automatic && massless);
+}
+
+/// Nothing of the body refers to where its vertices were.
+bool is_interface(const BodyConfig& config, const DeformableBody& body) {
+  const auto& given = config.potentials;
+  const auto& by = body.attachments;
+  return spreads_forces(config) && body.mesh.is_closed() && given.surface_tension &&
+         given.surface_tension->mesh_control == 0 && !given.edge && !given.membrane && !given.bending && !given.area &&
+         !config.material.young && config.inner_damping == 0 && body.pinned.empty() && !by.tethers && !by.cords &&
+         !by.pulls;
+}
+
 }  // namespace
 
 PotentialSet make_potentials(const BodyConfig& config, const TriangleMesh& mesh, std::span<const Vec3> reference) {
@@ -134,9 +150,9 @@ PotentialSet make_potentials(const BodyConfig& config, const TriangleMesh& mesh,
   if (given.area) set.add(FaceAreaPenalty{given.area->stiffness, face_areas(mesh, reference)});
   if (given.total_area) set.add(TotalAreaPenalty{given.total_area->stiffness, total_area(mesh, reference)});
   if (const auto& tension = given.surface_tension) {
-    const double control =
-        tension->mesh_control > 0 ? tension->mesh_control : SurfaceTension::balanced_control(tension->sigma);
-    set.add(SurfaceTension{tension->sigma, control});
+    const bool by_default = tension->mesh_control == 0 && !spreads_forces(config);
+    set.add(SurfaceTension{tension->sigma,
+                           by_default ? SurfaceTension::balanced_control(tension->sigma) : tension->mesh_control});
   }
   return set;
 }
@@ -149,7 +165,8 @@ std::vector<double> vertex_masses(const BodyConfig& config, std::span<const doub
   const bool moves_alone = config.coupling == CouplingKind::one_way || config.coupling == CouplingKind::loose ||
                            config.coupling == CouplingKind::strong;
   const double per_area = material.density.value_or(fluid_density) * material.thickness;
-  for (double& mass : masses) mass = of_wall ? per_area * mass : config.mass_per_vertex.value_or(moves_alone ? 1.0 : 0.0);
+  for (double& mass : masses)
+    mass = of_wall ? per_area * mass : config.mass_per_vertex.value_or(moves_alone ? 1.0 : 0.0);
   return masses;
 }
 
@@ -184,6 +201,7 @@ DeformableBody make_body(const BodyConfig& config, Surface surface, double mean_
   if (body.motion != MotionKind::deformable) return body;
   pin(config, body);
   body.attachments = make_attachments(config, body);
+  body.is_interface = is_interface(config, body);
   find_rates(body);
   return body;
 }

@@ -33,14 +33,13 @@ TEST(Motions, SoundOnesPass) {
   EXPECT_THAT(problems_of(ball("fixed") + "[forcing]\ngravity = [0, 0, -1]"), IsEmpty()) << "nothing that falls";
 }
 
-TEST(Motions, DeformableBodiesAreOneWay) {
-  EXPECT_THAT(problems_of(ball("deformable")),
-              ElementsAre(AllOf(HasSubstr("case.toml:2: body.a.coupling is \"auto\""), HasSubstr("\"one-way\""))))
-      << "the place of the body stands for that of a default";
-  for (const char* coupling : {"auto", "loose", "strong"})
-    EXPECT_THAT(problems_of(ball("deformable", "coupling = \"" + std::string(coupling) + "\"")),
+TEST(Motions, OnlyDeformableBodiesMoveWithTheFlow) {
+  for (const char* coupling : {"force-spreading", "local-mass"}) {
+    EXPECT_THAT(problems_of(ball("deformable", "coupling = \"" + std::string(coupling) + "\"")), IsEmpty());
+    EXPECT_THAT(problems_of(ball("rigid", "coupling = \"" + std::string(coupling) + "\"")),
                 ElementsAre(AllOf(HasSubstr("case.toml:6: body.a.coupling is \"" + std::string(coupling) + "\""),
-                                  HasSubstr("cannot feel deformable bodies yet"))));
+                                  HasSubstr("deformable"))));
+  }
 }
 
 TEST(Motions, FreeBodiesActOnTheFlow) {
