@@ -12,6 +12,7 @@
 #include "app/memory_estimate.hpp"
 #include "config/print_case.hpp"
 #include "core/error.hpp"
+#include "coupling/added_mass.hpp"
 #include "coupling/describe_kind.hpp"
 #include "coupling/make_body_kind.hpp"
 #include "coupling/one_way.hpp"
@@ -65,6 +66,13 @@ bool acts_on_flow(const CheckedBodies& bodies) {
   return std::any_of(bodies.kinds.begin(), bodies.kinds.end(), [](auto& kind) { return kind.acts_on_flow(); });
 }
 
+/// After the viscous solves, so that a viscous flow falls behind.
+bool forces_flow(const CheckedBodies& bodies) {
+  return std::any_of(bodies.kinds.begin(), bodies.kinds.end(), [](auto& kind) {
+    return kind.forces_flow() || kind.coupling == CouplingKind::local_mass;
+  });
+}
+
 CheckedBodies make_bodies(const CaseConfig& config, const Grid& grid) {
   CheckedBodies bodies;
   for (auto& placed : place_bodies(config)) {
@@ -108,6 +116,18 @@ void print_springs(const CaseConfig& config, const DeformableBody& body, double 
              body.substeps && *body.substeps < needed ? " (as given; stability asks for more)" : "");
 }
 
+void print_softness(const BodyKind& kind, double step) {
+  if (kind.coupling == CouplingKind::force_spreading) {
+    fmt::print("#   stiffness  {} for body {} of {} vertices\n", number(force_spreading_limit(kind)), kind.config.name,
+               kind.prototype.mesh.n_vertices());
+    return;
+  }
+  constexpr double largest_alpha = 8.0 / 15;  // of a substep of the flow
+  fmt::print("#   stiffness  none for body {} of {} vertices: {} substeps in the longest substep of the flow\n",
+             kind.config.name, kind.prototype.mesh.n_vertices(),
+             substeps_for(largest_alpha * step, kind.layered_limit, kind.config.name));
+}
+
 void print_patches(const CaseConfig& config, const Grid& grid) {
   const auto signals = make_signals(config);
   for (const auto& side : config.boundary)
@@ -116,24 +136,30 @@ void print_patches(const CaseConfig& config, const Grid& grid) {
         fmt::print("# patch {}: {} faces of the grid, area {:.6g}\n", patch.name, patch.faces.size(), patch.area);
 }
 
-void print_steps(const CaseConfig& config, const Grid& grid, const CheckedBodies& bodies) {
+StepLimits limits_at_start(const CaseConfig& config, const Grid& grid, const CheckedBodies& bodies) {
   const double viscous = viscous_step_limit(grid, config.fluid.viscosity / config.fluid.density, config.time.viscous);
+  const double sides = OpenSides(grid, config.boundary, make_signals(config)).largest_rate(config.time.end);
+  double soft = no_limit;
+  for (const auto& kind : bodies.kinds)
+    if (kind.coupling == CouplingKind::force_spreading) soft = std::min(soft, force_spreading_limit(kind));
+  return step_limits(config, grid, std::max(initial_rate(config.initial, grid), sides), viscous, soft);
+}
+
+void print_steps(const CaseConfig& config, const Grid& grid, const CheckedBodies& bodies) {
   auto adaptive = config;
   adaptive.time.step.reset();
-  const double sides = OpenSides(grid, config.boundary, make_signals(config)).largest_rate(config.time.end);
-  const double rate = std::max(initial_rate(config.initial, grid), sides);
-  const auto limits = step_limits(adaptive, grid, rate, viscous);
-  const auto ruling = step_limits(config, grid, rate, viscous);
+  const auto limits = limits_at_start(adaptive, grid, bodies), ruling = limits_at_start(config, grid, bodies);
   const double step = ruling.smallest();
   fmt::print("# time-step limits at the start:\n");
   fmt::print("#   convective {} (Courant number {:.4g})\n", number(limits.convective), config.time.cfl);
   fmt::print("#   viscous    {}\n", number(limits.viscous));
   fmt::print("#   decay      {} (a tenth of the longest wave's viscous time)\n", number(limits.decay));
   for (const auto& kind : bodies.kinds)
-    if (!kind.has_pose()) print_springs(config, kind.prototype, step);
+    if (kind.is_soft()) print_softness(kind, step);
+    else if (!kind.has_pose()) print_springs(config, kind.prototype, step);
   fmt::print("# the fluid's step: {}, ruled by {}\n", number(step), ruling.ruling());
   if (const double viscous_number = forcing_viscous_number(config, grid, step);
-      acts_on_flow(bodies) && viscous_number > largest_forcing_viscous_number)
+      forces_flow(bodies) && viscous_number > largest_forcing_viscous_number)
     fmt::print(
         "# warning: that is {:.2g} h^2/nu, above {}: drag of bodies falls short (time.max_step, "
         "immersed_boundary.forcing_iterations)\n",
@@ -162,8 +188,12 @@ int check(const CheckArguments& arguments, const Communicator& communicator) {
   print_patches(config, grid);
   print_sweeps(config, grid, ranks);
   print_steps(config, grid, bodies);
-  for (std::size_t k = 0; k < bodies.kinds.size(); ++k)
+  const double step = limits_at_start(config, grid, bodies).smallest();
+  for (std::size_t k = 0; k < bodies.kinds.size(); ++k) {
     fmt::print("# {}\n", describe(bodies.kinds[k], bodies.copies[k]));
+    for (const auto& warning : foresee(bodies.kinds[k], grid, step))
+      fmt::print("# warning: {}\n", warning);
+  }
   return exit_success;
 }
 }  // namespace

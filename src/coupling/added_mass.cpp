@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "config/word.hpp"
 #include "mesh/geometry.hpp"
@@ -47,6 +48,14 @@ CouplingKind choose_for_deformable(const BodyKind& kind, std::string& reason) {
 }
 
 }  // namespace
+
+double wall_mass_ratio(const BodyKind& kind, double fluid_density) {
+  const auto& body = kind.prototype;
+  const double area = total_area(body.mesh, body.positions);
+  const double mass = std::accumulate(body.masses.begin(), body.masses.end(), 0.0);
+  const double length = kind.is_closed() ? 3 * kind.displaced.volume / area : std::sqrt(area);
+  return mass / (fluid_density * area * length);
+}
 
 double force_spreading_limit(const BodyKind& kind) {
   constexpr double largest_alpha = 8.0 / 15;  // of a substep

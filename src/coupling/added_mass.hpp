@@ -21,6 +21,11 @@ inline constexpr double largest_loose_ratio = 0.45;
 /// mass by local-mass: it holds larger steps, but damps more and slips (docs/coupling.md).
 inline constexpr double largest_stiffness = 4;
 
+/// Mass of a wall over rho R, R = 3 V/A or the root of an open surface's area: below the first loose coupling fails at
+/// any step, below the second it is marginal.
+inline constexpr double least_loose_wall = 0.5, sure_loose_wall = 1;
+double wall_mass_ratio(const BodyKind& kind, double fluid_density);
+
 /// The largest fluid step that force-spreading takes with a body.
 double force_spreading_limit(const BodyKind& kind);
 

@@ -65,6 +65,8 @@ class CoupledFlow {
   /// True if a body moves by strong coupling, and if any acts on the flow; the same on all ranks.
   bool has_strong() const { return has_strong_; }
   bool is_two_way() const { return is_two_way_; }
+  /// The flow is forced after the viscous solves, by markers or local-mass.
+  bool forces_late() const { return boundary_ || local_mass_; }
 
  private:
   Vec3 driving() const;

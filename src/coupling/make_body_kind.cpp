@@ -147,6 +147,12 @@ void set_step_limits(BodyKind& kind, const CaseConfig& config, const Grid& grid)
   kind.layered_limit =
       stable_time_step(find_largest_frequency(body, masses), 0, find_largest_damping_rate(body, masses));
   kind.convective_step = convective_step(config, grid);
+  kind.wall_mass_ratio = wall_mass_ratio(kind, config.fluid.density);
+  if (kind.config.coupling == CouplingKind::loose && kind.wall_mass_ratio < least_loose_wall)
+    throw InputError(fmt::format(
+        "{} has a wall of {:.2g} times the mass of the fluid around it, and coupling = \"loose\" holds from {} on, "
+        "whatever the step; write \"force-spreading\", \"local-mass\" or \"strong\", or leave the choice to \"auto\"",
+        place_of(config, kind), kind.wall_mass_ratio, least_loose_wall));
 }
 
 /// A soft body meets the flow at its vertices, if faces are small enough for the grid; marker points serve all others.
@@ -222,6 +228,7 @@ BodyKind make_body_kind(const CaseConfig& config, std::size_t index, Surface sha
   kind.probes.density = config.fluid.density;
   kind.probes.viscosity = config.fluid.viscosity;
   kind.added_mass_ratio = added_mass_ratio(kind, config.fluid.density, grid.mean_spacing());
+  kind.spacing = grid.mean_spacing();
   set_step_limits(kind, config, grid);
   std::string reason;
   kind.coupling = choose_coupling(kind, reason);

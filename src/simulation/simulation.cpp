@@ -64,7 +64,7 @@ struct Simulation::Impl {
   void introduce() const;
   double choose_step();
   void advance(double dt);
-  void warn_of_viscous_step(double step) const;
+  void warn_of_first_step(double step) const;
   double bodies_rate();
   void diagnose_bodies();
   int agree_on_state(const StopSignals& signals);
@@ -296,13 +296,15 @@ double Simulation::Impl::choose_step() {
                     "has become too fast to follow; look at the last fields in {}",
                     now.step, now.time, step, limits.ruling(), options.output.string()));
   last_cfl = step * rate;
-  if (now.step == first_step) warn_of_viscous_step(step);
+  if (now.step == first_step) warn_of_first_step(step);
   return step;
 }
 
-void Simulation::Impl::warn_of_viscous_step(double step) const {
+void Simulation::Impl::warn_of_first_step(double step) const {
   const double number = forcing_viscous_number(config, grid, step);
-  if (!coupled->is_two_way() || number <= largest_forcing_viscous_number) return;
+  for (const auto& kind : bodies.kinds())
+    for (const auto& warning : foresee(kind, grid, step)) log.warn("{}", warning);
+  if (!coupled->forces_late() || number <= largest_forcing_viscous_number) return;
   log.warn(
       "the step is {:.2g} h^2/nu of the smallest spacing h, above {}: the flow slips at the bodies and drag falls "
       "short by "
