@@ -49,14 +49,4 @@ BoxCells::BoxCells(std::vector<Box> boxes) : boxes_(std::move(boxes)) {
                   [&](std::size_t at) { items_[static_cast<std::size_t>(next[at]++)] = static_cast<int>(b); });
 }
 
-std::array<int, 3> BoxCells::cell_of(Vec3 x) const {
-  std::array<int, 3> cell{};
-  for (int d = 0; d < 3; ++d) {
-    const double s = (x[d] - all_.lower[d]) * cells_per_length_[d];
-    const int n = n_[static_cast<std::size_t>(d)];
-    cell[static_cast<std::size_t>(d)] = s >= n ? n - 1 : s > 0 ? static_cast<int>(s) : 0;
-  }
-  return cell;
-}
-
 }  // namespace pliant

@@ -12,10 +12,13 @@
 namespace pliant {
 namespace {
 
-/// Shares of the pressure. Vertices of either surface bear a quarter each. Where two even surfaces face each other,
-/// 2/pi * 3.46^2 = 7.64 pairs of edges cross in an area of the product of their lengths.
-constexpr double point_share = 0.25;
-constexpr double edge_share = 0.5 / 7.64;
+/// Vertices of either surface bear half of the pressure each. Edges are there for what vertices do not see, the
+/// crossing of two edges, and only where that is near: their range is half of the shorter one. Where two even surfaces
+/// face each other, 2/pi * 3.46^2 = 7.64 pairs of edges cross in an area of the product of their lengths; they add a
+/// quarter.
+constexpr double point_share = 0.5;
+constexpr double edge_share = 0.25 / 7.64;
+constexpr double edge_range = 0.5;
 /// Pairs of one surface are not to come nearer than this part of what they are apart at rest, if that is less than the
 /// range.
 constexpr double rest_fraction = 1.0 / 3.0;
@@ -134,20 +137,62 @@ SurfaceContact::Nodes SurfaceContact::nodes_of(const ContactMotion& motion) {
           mirrored_velocities_, obstacles_.velocities, motion.step};
 }
 
+/// Vertices near which the surface is bent or pressed together so much that it might touch itself close by: a hinge
+/// beyond 45 degrees, or an edge below 0.6 of its length at rest, up to three edges away. By Schur's theorem the ends
+/// of an arc of length s and curvature 45 degrees an edge are no nearer than 0.63 s up to s = 3.5 edges, and 0.6 * 0.63
+/// is more than rest_fraction.
+std::vector<char> SurfaceContact::find_bent(std::span<const Vec3> positions) const {
+  constexpr double bent = 0.7071, pressed = 0.6;
+  std::vector<char> marks(positions.size(), 0);
+  const auto normals = face_normals(mesh_, positions);
+  for (int e = 0; e < mesh_.n_edges(); ++e) {
+    const auto [a, b] = mesh_.vertices_of_edge()[static_cast<std::size_t>(e)];
+    const auto [f, g] = mesh_.faces_of_edge()[static_cast<std::size_t>(e)];
+    const bool folds =
+        g >= 0 && !(dot(normals[static_cast<std::size_t>(f)], normals[static_cast<std::size_t>(g)]) > bent);
+    if (folds || norm(positions[a] - positions[b]) < pressed * norm(reference_[a] - reference_[b]))
+      marks[static_cast<std::size_t>(a)] = marks[static_cast<std::size_t>(b)] = 1;
+  }
+  if (std::find(marks.begin(), marks.end(), 1) == marks.end()) return marks;
+  for (int ring = 0; ring < 3; ++ring) {
+    const auto before = marks;
+    for (const auto& [a, b] : mesh_.vertices_of_edge()) {
+      if (before[static_cast<std::size_t>(a)]) marks[static_cast<std::size_t>(b)] = 1;
+      if (before[static_cast<std::size_t>(b)]) marks[static_cast<std::size_t>(a)] = 1;
+    }
+  }
+  return marks;
+}
+
 void SurfaceContact::find_own_pairs(std::span<const Vec3> positions) {
   listed_at_.assign(positions.begin(), positions.end());
   own_points_.clear(), own_edges_.clear();
   const double skin = own_skin * law_.range, reach = law_.range + skin;
   const auto faces = mesh_.vertices_of_face();
   const auto edges = mesh_.vertices_of_edge();
+  const auto marks = find_bent(positions);
+  double longest = 0, mean_at_rest = 0;
+  for (const auto& [a, b] : edges) {
+    longest = std::max(longest, norm(positions[a] - positions[b]));
+    mean_at_rest += norm(reference_[a] - reference_[b]) / static_cast<double>(edges.size());
+  }
+  // What is this near at rest does not touch where the surface is smooth.
+  const double local = std::min(reach + mean_at_rest, 3.5 * mean_at_rest);
+  const auto is_local = [&](int a, int b) {
+    const Vec3 d = reference_[static_cast<std::size_t>(a)] - reference_[static_cast<std::size_t>(b)];
+    return !marks[static_cast<std::size_t>(a)] && dot(d, d) < local * local;
+  };
+
+  bool has_near_edges = false;
   {
     const BoxCells cells(boxes_of(faces, positions));
     for (int v = 0; v < mesh_.n_vertices(); ++v) {
       const Vec3 x = positions[static_cast<std::size_t>(v)], at_rest = reference_[static_cast<std::size_t>(v)];
-      cells.for_each_meeting(Box{x, x}.inflated(reach), [&](int f) {
+      cells.for_each_meeting(Box{x, x}.inflated(reach + longest), [&](int f) {
         const Face& face = faces[static_cast<std::size_t>(f)];
-        if (share_a_vertex(std::array{v}, face)) return;
+        if (is_local(v, face[0]) || share_a_vertex(std::array{v}, face)) return;
         const double distance = point_face_distance(x, face, positions);
+        has_near_edges |= distance <= reach + longest;
         if (distance > reach) return;
         const double range = std::min(law_.range, rest_fraction * point_face_distance(at_rest, face, reference_));
         if (range > 0 && distance <= range + skin)
@@ -160,22 +205,26 @@ void SurfaceContact::find_own_pairs(std::span<const Vec3> positions) {
       });
     }
   }
-  auto boxes = boxes_of(edges, positions);
-  const BoxCells cells(boxes);
-  for (int e = 0; e < mesh_.n_edges(); ++e) {
-    const auto& a = edges[static_cast<std::size_t>(e)];
-    const Vec3 a0 = positions[a[0]], a1 = positions[a[1]], rest0 = reference_[a[0]], rest1 = reference_[a[1]];
-    cells.for_each_meeting(boxes[static_cast<std::size_t>(e)].inflated(reach), [&](int other) {
-      if (other <= e) return;
-      const auto& b = edges[static_cast<std::size_t>(other)];
-      if (share_a_vertex(a, b)) return;
-      const double distance = edge_edge_distance(a0, a1, positions[b[0]], positions[b[1]]);
-      if (distance > reach) return;
-      const double rest = edge_edge_distance(rest0, rest1, reference_[b[0]], reference_[b[1]]);
-      const double range = std::min(law_.range, rest_fraction * rest);
-      if (range > 0 && distance <= range + skin)
-        own_edges_.push_back({{a[0], a[1], b[0], b[1]}, -1, Partner::itself, edge_share * law_.strength, range, {}});
-    });
+  if (has_near_edges) {
+    auto boxes = boxes_of(edges, positions);
+    const BoxCells cells(boxes);
+    for (int e = 0; e < mesh_.n_edges(); ++e) {
+      const auto& a = edges[static_cast<std::size_t>(e)];
+      const Vec3 a0 = positions[a[0]], a1 = positions[a[1]], rest0 = reference_[a[0]], rest1 = reference_[a[1]];
+      const double most = std::min(law_.range, edge_range * norm(a1 - a0));
+      cells.for_each_meeting(boxes[static_cast<std::size_t>(e)].inflated(most + skin), [&](int other) {
+        if (other <= e) return;
+        const auto& b = edges[static_cast<std::size_t>(other)];
+        if (is_local(a[0], b[0]) || share_a_vertex(a, b)) return;
+        const Vec3 b0 = positions[b[0]], b1 = positions[b[1]];
+        const double distance = edge_edge_distance(a0, a1, b0, b1);
+        if (distance > most + skin) return;
+        const double rest = edge_edge_distance(rest0, rest1, reference_[b[0]], reference_[b[1]]);
+        const double range = std::min({most, edge_range * norm(b1 - b0), rest_fraction * rest});
+        if (range > 0 && distance <= range + skin)
+          own_edges_.push_back({{a[0], a[1], b[0], b[1]}, -1, Partner::itself, edge_share * law_.strength, range, {}});
+      });
+    }
   }
   const auto by_nodes = [](const Pair& a, const Pair& b) { return a.nodes < b.nodes; };
   std::sort(own_points_.begin(), own_points_.end(), by_nodes);
@@ -241,20 +290,24 @@ void SurfaceContact::find_foreign_pairs(const Nodes& nodes, double remaining) {
 
   const BoxCells obstacle_edges(boxes_of(obstacle_edges_, nodes.obstacles));
   for (const auto& edge : edges) {
-    const double reach = near + remaining * std::max(speed(edge[0]), speed(edge[1]));
+    const double length = norm(start_[static_cast<std::size_t>(edge[1])] - start_[static_cast<std::size_t>(edge[0])]);
+    const double most = std::min(law_.range, edge_range * length);
+    const double reach = most - law_.range + near + remaining * std::max(speed(edge[0]), speed(edge[1]));
     obstacle_edges.for_each_meeting(both_places(edge).inflated(reach), [&](int e) {
       const int part = part_of_edge_[static_cast<std::size_t>(e)];
       const auto& other = obstacle_edges_[static_cast<std::size_t>(e)];
       const auto partner = partner_of(part);
-      if (edge_edge_distance(nodes.position(edge[0], partner), nodes.position(edge[1], partner),
-                             nodes.obstacles[static_cast<std::size_t>(other[0])],
-                             nodes.obstacles[static_cast<std::size_t>(other[1])]) > reach)
+      const Vec3 b0 = nodes.obstacles[static_cast<std::size_t>(other[0])],
+                 b1 = nodes.obstacles[static_cast<std::size_t>(other[1])];
+      if (edge_edge_distance(nodes.position(edge[0], partner), nodes.position(edge[1], partner), b0, b1) > reach)
         return;
+      const double range = std::min(most, edge_range * norm(obstacles_.positions[static_cast<std::size_t>(other[1])] -
+                                                            obstacles_.positions[static_cast<std::size_t>(other[0])]));
       foreign_edges_.push_back({{edge[0], edge[1], n_own + other[0], n_own + other[1]},
                                 part,
                                 partner,
                                 edge_share * law_.strength,
-                                law_.range,
+                                range,
                                 {}});
     });
   }

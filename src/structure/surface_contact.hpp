@@ -60,7 +60,7 @@ class SurfaceContact {
   SurfaceContact(const ContactLaw& law, const RepulsionBox& walls) : law_(law), walls_(walls) {}
 
   /// Beyond the range, what comes near within a step is followed; faces further off than this at the start are not.
-  static double skin(double range) { return 0.5 * range; }
+  static double skin(double range) { return 0.25 * range; }
 
   /// A new step of length `span`: obstacles as they are now. Looks for pairs of the surface with itself if it has
   /// changed enough.
@@ -105,6 +105,7 @@ class SurfaceContact {
 
   struct Nodes;
   Nodes nodes_of(const ContactMotion& motion);
+  std::vector<char> find_bent(std::span<const Vec3> positions) const;
   void find_own_pairs(std::span<const Vec3> positions);
   void find_foreign_pairs(const Nodes& nodes, double remaining);
   void renew_pairs(const Nodes& nodes, double elapsed);
