@@ -43,7 +43,8 @@ Box box_around(std::span<const Vec3> positions);
 /// Boxes sorted into equal cells, so that those that meet another box are found without looking at all.
 class BoxCells {
  public:
-  explicit BoxCells(std::vector<Box> boxes);
+  /// `asked`: the size of the boxes that will be asked for.
+  explicit BoxCells(std::vector<Box> boxes, double asked = 0);
 
   /// Calls visit(index) once for each box that meets `box`.
   template <class Visit>

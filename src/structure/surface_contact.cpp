@@ -22,7 +22,7 @@ constexpr double edge_range = 0.5;
 /// Pairs of one surface are not to come nearer than this part of what they are apart at rest, if that is less than the
 /// range.
 constexpr double rest_fraction = 1.0 / 3.0;
-constexpr double own_skin = 0.25;       // of the range
+constexpr double own_skin = 0.5;        // of the range
 constexpr double floor_fraction = 0.2;  // the same
 /// Of two faces that a vertex touches in about one direction the nearer one counts: cosine of 60 degrees.
 constexpr double same_direction = 0.5;
@@ -183,16 +183,40 @@ void SurfaceContact::find_own_pairs(std::span<const Vec3> positions) {
     return !marks[static_cast<std::size_t>(a)] && dot(d, d) < local * local;
   };
 
+  // No point of a face is further than 0.58 of its longest edge from a corner, none of an edge further than half of it
+  // from an end: where no vertices are near each other, nothing is.
+  const double to_corner = 0.58 * longest, between_ends = (1 + edge_range) * longest + skin;
   bool has_near_edges = false;
+  std::vector<int> near_faces;
   {
-    const BoxCells cells(boxes_of(faces, positions));
+    std::vector<std::array<int, 1>> vertices;
+    for (int v = 0; v < mesh_.n_vertices(); ++v) vertices.push_back({v});
+    const double far = std::max(reach + to_corner, between_ends);
+    const BoxCells cells(boxes_of(vertices, positions), 2 * far);
     for (int v = 0; v < mesh_.n_vertices(); ++v) {
       const Vec3 x = positions[static_cast<std::size_t>(v)], at_rest = reference_[static_cast<std::size_t>(v)];
-      cells.for_each_meeting(Box{x, x}.inflated(reach + longest), [&](int f) {
+      bool is_near = false;
+      cells.for_each_meeting(Box{x, x}.inflated(far), [&](int w) {
+        if (is_local(v, w) || v == w) return;
+        const double distance = norm(x - positions[static_cast<std::size_t>(w)]);
+        has_near_edges |= distance <= between_ends;
+        const double range =
+            std::min(law_.range, rest_fraction * norm(at_rest - reference_[static_cast<std::size_t>(w)]));
+        is_near |= distance <= range + skin + to_corner;
+      });
+      if (is_near) near_faces.push_back(v);
+    }
+  }
+  if (!near_faces.empty()) {
+    const BoxCells cells(boxes_of(faces, positions), 2 * reach);
+    for (const int v : near_faces) {
+      const Vec3 x = positions[static_cast<std::size_t>(v)], at_rest = reference_[static_cast<std::size_t>(v)];
+      cells.for_each_meeting(Box{x, x}.inflated(reach), [&](int f) {
         const Face& face = faces[static_cast<std::size_t>(f)];
-        if (is_local(v, face[0]) || share_a_vertex(std::array{v}, face)) return;
+        if ((is_local(v, face[0]) && is_local(v, face[1]) && is_local(v, face[2])) ||
+            share_a_vertex(std::array{v}, face))
+          return;
         const double distance = point_face_distance(x, face, positions);
-        has_near_edges |= distance <= reach + longest;
         if (distance > reach) return;
         const double range = std::min(law_.range, rest_fraction * point_face_distance(at_rest, face, reference_));
         if (range > 0 && distance <= range + skin)
@@ -215,7 +239,7 @@ void SurfaceContact::find_own_pairs(std::span<const Vec3> positions) {
       cells.for_each_meeting(boxes[static_cast<std::size_t>(e)].inflated(most + skin), [&](int other) {
         if (other <= e) return;
         const auto& b = edges[static_cast<std::size_t>(other)];
-        if (is_local(a[0], b[0]) || share_a_vertex(a, b)) return;
+        if ((is_local(a[0], b[0]) && is_local(a[1], b[1])) || share_a_vertex(a, b)) return;
         const Vec3 b0 = positions[b[0]], b1 = positions[b[1]];
         const double distance = edge_edge_distance(a0, a1, b0, b1);
         if (distance > most + skin) return;
@@ -253,7 +277,7 @@ void SurfaceContact::find_foreign_pairs(const Nodes& nodes, double remaining) {
                     nodes.position(face[2], partner)};
   };
 
-  const BoxCells obstacle_faces(boxes_of(obstacles_.faces, nodes.obstacles));
+  const BoxCells obstacle_faces(boxes_of(obstacles_.faces, nodes.obstacles), 2 * near);
   for (int v = 0; v < n_own; ++v) {
     const double reach = near + remaining * speed(v);
     obstacle_faces.for_each_meeting(both_places(std::array{v}).inflated(reach), [&](int f) {
@@ -272,7 +296,7 @@ void SurfaceContact::find_foreign_pairs(const Nodes& nodes, double remaining) {
 
   std::vector<std::array<int, 1>> points;
   for (int o = 0; o < static_cast<int>(obstacles_.positions.size()); ++o) points.push_back({o});
-  const BoxCells obstacle_points(boxes_of(points, nodes.obstacles));
+  const BoxCells obstacle_points(boxes_of(points, nodes.obstacles), 2 * near);
   for (const Face& face : faces) {
     const double reach = near + remaining * std::max({speed(face[0]), speed(face[1]), speed(face[2])});
     obstacle_points.for_each_meeting(both_places(face).inflated(reach), [&](int o) {
@@ -288,7 +312,7 @@ void SurfaceContact::find_foreign_pairs(const Nodes& nodes, double remaining) {
     });
   }
 
-  const BoxCells obstacle_edges(boxes_of(obstacle_edges_, nodes.obstacles));
+  const BoxCells obstacle_edges(boxes_of(obstacle_edges_, nodes.obstacles), 2 * near);
   for (const auto& edge : edges) {
     const double length = norm(start_[static_cast<std::size_t>(edge[1])] - start_[static_cast<std::size_t>(edge[0])]);
     const double most = std::min(law_.range, edge_range * length);
