@@ -56,8 +56,9 @@ void momentum(benchmark::State& state) {
   const MomentumOutput out{box.ru.view().at_plane(1), box.rv.view().at_plane(1), box.rw.view().at_plane(1),
                            box.hu.view().at_plane(1), box.hv.view().at_plane(1), box.hw.view().at_plane(1)};
   const MomentumFactors factors{1e-3, -1e-4, 1e-3, 1e-3, {}};
+  FluxRows fluxes(box.grid);
   const MomentumRows rows(box.grid, static_cast<ViscousMode>(state.range(1)), HistoryUse::read_write, factors, in, out,
-                          1);
+                          fluxes, 1);
   for (auto _ : state) for_rows(box.grid.ny(), rows);
   count_cells(state, box.grid);
 }

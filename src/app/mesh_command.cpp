@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "app/command.hpp"
+#include "app/moduli_command.hpp"
 #include "core/error.hpp"
 #include "mesh/describe.hpp"
 #include "mesh/read_surface.hpp"
@@ -109,6 +110,7 @@ void add_mesh_command(CLI::App& app, Action& action) {
   command->require_subcommand(1);
 
   add_shapes(*command, action, arguments);
+  add_moduli_command(*command, action);
 
   auto* info = command->add_subcommand("info", "Counts, area, volume, edges, angles, and whether it is sound");
   info->add_option("FILE", arguments->input, "The surface")->required();

@@ -207,19 +207,93 @@ struct SurfaceTensionConfig {
   double sigma = 0;
   double mesh_control = 0;  ///< stiffness of the tangential springs that keep the mesh even; 0: a fraction of sigma
 };
+enum class MembraneLaw { neo_hookean, skalak };
+struct MembraneConfig {
+  MembraneLaw law = MembraneLaw::neo_hookean;
+  double shear = 0;  ///< G_s, force / length
+  double ratio = 1;  ///< C of Skalak's law
+};
+struct PressureConfig {
+  double value = 0;  ///< inside over outside
+};
 struct PotentialsConfig {
   std::optional<EdgeConfig> edge;
+  std::optional<MembraneConfig> membrane;
   std::optional<BendingConfig> bending;
   std::optional<VolumeConfig> volume;
+  std::optional<PressureConfig> pressure;
   std::optional<AreaConfig> area;  ///< per face
   std::optional<AreaConfig> total_area;
   std::optional<SurfaceTensionConfig> surface_tension;
 };
 
+enum class PlaneSide { on, beyond };
+/// Vertices of a body by a name: those for which all that is given holds. Points and directions are those of the
+/// surface before `rotation` and `center`, and go along with it.
+struct SelectionConfig {
+  std::string name;
+  bool border = false;              ///< at a free border
+  std::optional<Vec3> border_near;  ///< at the border that comes nearest to this point
+  struct Sphere {
+    Vec3 center;
+    double radius = 0;
+  };
+  struct Box {
+    Vec3 lower, upper;
+  };
+  struct Cylinder {
+    Vec3 point, axis{0, 0, 1};
+    double radius = 0;
+  };
+  struct Plane {
+    Vec3 point, normal{0, 0, 1};
+    PlaneSide side = PlaneSide::on;
+    std::optional<double> tolerance;  ///< default: a hundredth of the mean edge
+  };
+  struct Extreme {
+    Vec3 direction{1, 0, 0};
+    double fraction = 0;
+  };
+  std::optional<Sphere> sphere;
+  std::optional<Box> box;
+  std::optional<Cylinder> cylinder;
+  std::optional<Plane> plane;
+  std::optional<Extreme> extreme;  ///< the part of all vertices that lies farthest along a direction
+
+  bool has_condition() const { return border || border_near || sphere || box || cylinder || plane || extreme; }
+};
+
+/// Springs from the vertices of a selection to their places at the start.
+struct TetherConfig {
+  std::string name, selection;
+  double stiffness = 0, damping = 0;  ///< of each vertex
+};
+
+/// each: a cord from every vertex; middle: one cord from the mean of the vertices.
+enum class CordEnds { each, middle };
+/// Cords that pull and never push.
+struct CordConfig {
+  std::string name, from;
+  std::string to;             ///< a selection; empty: the point
+  std::optional<Vec3> point;  ///< fixed, in the surface's coordinates
+  CordEnds ends = CordEnds::each;
+  double stiffness = 0;
+  std::optional<double> rest_length;
+  double rest_fraction = 1;  ///< of the length at the start, unless rest_length is given
+};
+
+/// A constant force, shared evenly by the vertices of a selection.
+struct PullConfig {
+  std::string name, selection;
+  Vec3 force;  ///< turned along with the surface
+};
+
 enum class MotionKind { fixed, prescribed, rigid, hinge, deformable };
-/// one-way: the flow does not feel the body; loose, strong: who moves when, of rigid and hinged bodies; automatic:
-/// loose or strong by the added-mass ratio.
-enum class CouplingKind { automatic, one_way, loose, strong };
+/// one-way: the flow does not feel the body; loose, strong: who moves when, once a step or until they agree;
+/// force-spreading, local-mass: deformable bodies move with the flow in each substep; automatic: by the mass ratio.
+enum class CouplingKind { automatic, one_way, loose, strong, force_spreading, local_mass };
+/// The tables of named things within a [[body]].
+enum class PartKind { selection, tether, cord, pull };
 /// What moves a rigid or hinged body: the momentum balance of its forcing, or the stress at the ends of its probes.
 enum class LoadSource { momentum_balance, probes };
 
@@ -232,12 +306,16 @@ struct PathConfig {
   std::optional<Vec3> pivot;  ///< default: the body's center; moves along with the displacement
 };
 
-/// What a rigid or hinged body is made of.
+/// What a body is made of.
 struct MaterialConfig {
   std::optional<double> density;  ///< default: the fluid's
   double thickness = 0;           ///< of the wall; 0: a solid
-  std::optional<double> mass;     ///< instead of density times volume; scales the inertia
-  std::optional<Vec3> inertia;    ///< principal moments along the axes of the surface's file, before `rotation`
+  std::optional<double> young;    ///< of deformable bodies; along the fibre, if there is one
+  double poisson = 1.0 / 3.0;
+  std::optional<Vec3> fibre;           ///< direction in the surface before `rotation`
+  std::optional<double> young_across;  ///< Young's modulus across the fibre; default: young
+  std::optional<double> mass;          ///< instead of density times volume; scales the inertia
+  std::optional<Vec3> inertia;         ///< principal moments along the axes of the surface's file, before `rotation`
 };
 
 /// motion = "rigid".
@@ -274,20 +352,29 @@ struct BodyConfig {
   int marker_refinement = 0;                ///< markers along the edge of a face; 0: as many as the grid asks for
   std::optional<double> marker_retraction;  ///< spacings; default: transfer's, 0 for deformable bodies
   bool thin_sheet = true;                   ///< of an open surface: forces along it as a sheet without thickness takes
-  double mass_per_vertex = 1.0;
-  double damping = 0.0;         ///< force = -damping * velocity of the vertex
-  std::optional<int> substeps;  ///< within a fluid step; else found from the stability limit
+  std::optional<double> mass_per_vertex;    ///< default: from thickness and density; else 1 one-way, 0 two-way
+  bool held = false;                        ///< its mean velocity is kept zero
+  bool volume_correction = true;            ///< of a closed body that moves with the flow
+  double damping = 0.0;                     ///< force = -damping * velocity of the vertex
+  double inner_damping = 0.0;               ///< force along an edge = -inner_damping * rate of its length
+  std::optional<int> substeps;              ///< within a fluid step; else found from the stability limit
   TractionConfig traction;
   PotentialsConfig potentials;
+  std::vector<SelectionConfig> selections;
+  std::vector<std::string> pinned;  ///< selections whose vertices stay where they are
+  std::vector<TetherConfig> tethers;
+  std::vector<CordConfig> cords;
+  std::vector<PullConfig> pulls;
 };
 
 struct ImmersedBoundaryConfig {
   int forcing_iterations = 1;
 };
 
-enum class StrongScheme { aitken, hamming };
+/// automatic: quasi-newton where deformable bodies are coupled strongly, else aitken.
+enum class StrongScheme { automatic, aitken, quasi_newton, hamming };
 struct CouplingConfig {
-  StrongScheme scheme = StrongScheme::aitken;
+  StrongScheme scheme = StrongScheme::automatic;
   /// Largest change of a velocity between iterations, over the largest velocity. Interpolation jumps by about 1e-5
   /// where a marker changes its nodes, and light bodies multiply that by their added mass.
   double tolerance = 1e-4;

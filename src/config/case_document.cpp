@@ -57,6 +57,8 @@ void read_bodies(const toml::table& table, const OriginOf& origin_of, CaseDocume
     scope.prefix = name ? fmt::format("body.{}.", *name) : fmt::format("body[{}].", document.bodies.size());
     scope.origin = origin_of(element);
     flatten(*body, known, origin_of, scope, document.problems);
+    auto parts = read_parts(*body, scope.prefix, origin_of, document.problems);
+    document.parts.insert(document.parts.end(), parts.begin(), parts.end());
     document.bodies.push_back(std::move(scope));
   }
 }

@@ -38,6 +38,14 @@ struct PatchScope {
   Scope scope;
 };
 
+/// One of the named tables within a body: [body.selection.NAME] and its like.
+struct PartScope {
+  std::string body;  ///< prefix of the body: "body.drop."
+  PartKind kind = PartKind::selection;
+  std::string name;
+  Scope scope;
+};
+
 /// A case file as a flat list of entries: shorthands written out, unknown keys reported, values not yet looked at.
 struct CaseDocument {
   std::filesystem::path file;
@@ -45,6 +53,7 @@ struct CaseDocument {
   std::vector<SignalScope> signals;
   std::vector<PatchScope> patches;
   std::vector<Scope> bodies;
+  std::vector<PartScope> parts;
   std::vector<std::string> problems;
 };
 

@@ -30,7 +30,7 @@ class Flattener {
 
   void table(const toml::table& table, const std::string& above) {
     for (const auto& [key, node] : table) {
-      if (above.empty() && scope_.prefix.empty() && (key.str() == "body" || key.str() == "signals")) continue;
+      if (above.empty() && known_.left_out.count(std::string(key.str())) > 0) continue;
       if (above.rfind("boundary.", 0) == 0 && key.str() == "patches") continue;
       child(above.empty() ? std::string(key.str()) : above + "." + std::string(key.str()), node);
     }
@@ -97,10 +97,32 @@ KnownPaths KnownPaths::of_case() {
   for (const auto* name :
        {"boundary.x", "boundary.y", "boundary.z", "body", "signals", "boundary.z-.patches", "boundary.z+.patches"})
     known.names.push_back(name);
+  known.left_out = {"body", "signals"};
   return known;
 }
 
-KnownPaths KnownPaths::of_body() { return known_paths(body_keys()); }
+KnownPaths KnownPaths::of_body() {
+  auto known = known_paths(body_keys());
+  for (const auto& [word, kind] : words_of<PartKind>()) {
+    known.left_out.insert(word);
+    known.names.push_back(word);
+  }
+  return known;
+}
+
+KnownPaths KnownPaths::of_part(PartKind kind) {
+  switch (kind) {
+    case PartKind::selection:
+      return known_paths(selection_keys());
+    case PartKind::tether:
+      return known_paths(tether_keys());
+    case PartKind::cord:
+      return known_paths(cord_keys());
+    case PartKind::pull:
+      return known_paths(pull_keys());
+  }
+  return {};
+}
 KnownPaths KnownPaths::of_signal() { return known_paths(signal_keys()); }
 KnownPaths KnownPaths::of_patch() { return known_paths(patch_keys()); }
 

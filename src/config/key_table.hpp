@@ -18,6 +18,12 @@ std::vector<Key<SignalConfig>> signal_keys();
 
 /// Every key of one of a side's patches.
 std::vector<Key<PatchConfig>> patch_keys();
+/// Every key of one of a body's [body.selection.NAME], [body.tether.NAME], [body.cord.NAME], [body.pull.NAME].
+std::vector<Key<SelectionConfig>> selection_keys();
+std::vector<Key<TetherConfig>> tether_keys();
+std::vector<Key<CordConfig>> cord_keys();
+std::vector<Key<PullConfig>> pull_keys();
+
 /// The keys of a body's surface, and those of its place and copies; they append to `keys`.
 void add_surface_keys(std::vector<Key<BodyConfig>>& keys);
 void add_placement_keys(std::vector<Key<BodyConfig>>& keys);

@@ -17,6 +17,11 @@ BodyKey when_massive(BodyKey key) {
   return only_when<BodyConfig>(std::move(key), "motion is \"rigid\" or \"hinge\"", has_mass);
 }
 
+BodyKey when_material(BodyKey key) {
+  return only_when<BodyConfig>(std::move(key), "motion is \"rigid\", \"hinge\" or \"deformable\"",
+                               [](const BodyConfig& b) { return has_mass(b) || b.motion == MotionKind::deformable; });
+}
+
 /// The text of a path has a legal empty value: no displacement.
 BodyKey path_key(const std::string& name, const std::string& unit, const std::string& doc,
                  std::string PathConfig::*member) {
@@ -41,11 +46,13 @@ void add_path(std::vector<BodyKey>& keys) {
 }
 
 void add_material(std::vector<BodyKey>& keys) {
-  keys.push_back(when_massive(make_key<BodyConfig>(
+  keys.push_back(when_material(make_key<BodyConfig>(
       {"density", "mass / length^3", "of the body's material; default: the fluid's"},
       [](auto& b) { return &b.material.density; }, positive())));
-  keys.push_back(when_massive(make_key<BodyConfig>(
-      {"thickness", "length", "of the wall of a hollow or open body; 0: a solid, which must be closed"},
+  keys.push_back(when_material(make_key<BodyConfig>(
+      {"thickness", "length",
+       "of the wall of a hollow, open or deformable body; 0: a solid, which must be closed, or, if deformable, a "
+       "surface whose mass and stiffness are given otherwise"},
       [](auto& b) { return &b.material.thickness; }, at_least(0))));
   keys.push_back(when_massive(make_key<BodyConfig>(
       {"mass", "mass", "instead of what density makes; the inertia is scaled along"},
@@ -114,10 +121,11 @@ void add_motion_keys(std::vector<BodyKey>& keys) {
   keys.push_back(make_key<BodyConfig>({"motion", "", "how the body moves"}, [](auto& b) { return &b.motion; }));
   keys.push_back(make_key<BodyConfig>({"coupling", "",
                                        "one-way: the flow does not feel the body; loose: fluid, loads, body, once a "
-                                       "step; strong: repeated until they agree; "
-                                       "auto: loose or strong by the added-mass ratio"},
+                                       "step; strong: repeated until they agree; force-spreading, local-mass: "
+                                       "vertices move with the flow, substep by substep (docs/coupling.md); "
+                                       "auto: by the mass ratio"},
                                       [](auto& b) { return &b.coupling; }));
-  keys.push_back(when_massive(make_key<BodyConfig>(
+  keys.push_back(when_material(make_key<BodyConfig>(
       {"loads", "", "what moves the body: the momentum balance of its forcing, or the stress at its probes (traction)"},
       [](auto& b) { return &b.loads; })));
   keys.push_back(only_when<BodyConfig>(
@@ -140,6 +148,20 @@ void add_motion_keys(std::vector<BodyKey>& keys) {
            "which acts as one about a spacing thick"},
           [](auto& b) { return &b.thin_sheet; }),
       "coupling is not \"one-way\"", [](const BodyConfig& b) { return b.coupling != CouplingKind::one_way; }));
+  const auto soft = [](BodyKey key) {
+    return only_when<BodyConfig>(std::move(key), "motion is \"deformable\" and coupling is not \"one-way\"",
+                                 [](const BodyConfig& b) {
+                                   return b.motion == MotionKind::deformable && b.coupling != CouplingKind::one_way;
+                                 });
+  };
+  keys.push_back(soft(make_key<BodyConfig>({"held", "",
+                                 "a force shared over the surface keeps its mean velocity zero, so that it deforms but "
+                                 "does not drift; the body's table has the flow's force on it"},
+                                [](auto& b) { return &b.held; })));
+  keys.push_back(soft(make_key<BodyConfig>({"volume_correction", "",
+                                 "of a closed body: the least motion of its vertices that keeps the volume as it was, "
+                                 "once a step; the body's table has what it took"},
+                                [](auto& b) { return &b.volume_correction; })));
   add_path(keys);
   add_material(keys);
   add_rigid(keys);
@@ -153,7 +175,8 @@ void add_interaction_keys(std::vector<Key<CaseConfig>>& keys) {
        "times that velocities are compared and forces spread within a substep"},
       [](auto& c) { return &c.immersed_boundary.forcing_iterations; }, between(1, 100)));
   add(make_key<CaseConfig>({"coupling.scheme", "",
-                            "of strong coupling: fixed point with Aitken relaxation, or Hamming's predictor-corrector"},
+                            "of strong coupling: fixed point with Aitken relaxation or by interface quasi-Newton, or Hamming's "
+                            "predictor-corrector; auto: quasi-newton for deformable bodies, else aitken"},
                            [](auto& c) { return &c.coupling.scheme; }));
   add(make_key<CaseConfig>(
       {"coupling.tolerance", "",

@@ -36,33 +36,60 @@ void read_list(const toml::node& node, const std::string& side, const OriginOf& 
     lists.patches.push_back(std::move(patch));
   }
 }
+
+/// A table of named tables.
+struct NamedTables {
+  std::string word, form, prefix, example;
+  KnownPaths known;
+};
+
+template <class Take>
+void read_tables(const toml::table& above, const NamedTables& tables, const OriginOf& origin_of,
+                 std::vector<std::string>& problems, Take take) {
+  const auto* node = above.get(tables.word);
+  if (node == nullptr) return;
+  if (!node->is_table()) {
+    const auto all = tables.prefix.substr(0, tables.prefix.size() - 1);
+    problems.push_back(fmt::format("{}: {} must be a table of {}; write {}", origin_of(*node), all,
+                                   tables.word == "signals" ? "signals" : "named tables", tables.form));
+    return;
+  }
+  for (const auto& [key, element] : *node->as_table()) {
+    const std::string name(key.str());
+    if (!element.is_table()) {
+      problems.push_back(fmt::format("{}: {}{} must be a table; write {} = {{ {} }}", origin_of(element), tables.prefix,
+                                     name, name, tables.example));
+      continue;
+    }
+    Scope scope;
+    scope.prefix = fmt::format("{}{}.", tables.prefix, name);
+    scope.origin = origin_of(element);
+    flatten(*element.as_table(), tables.known, origin_of, scope, problems);
+    take(name, std::move(scope));
+  }
+}
 }  // namespace
 
 std::vector<SignalScope> read_signals(const toml::table& root, const OriginOf& origin_of,
                                       std::vector<std::string>& problems) {
   std::vector<SignalScope> signals;
-  const auto* node = root.get("signals");
-  if (node == nullptr) return signals;
-  if (!node->is_table()) {
-    problems.push_back(fmt::format("{}: signals must be a table of signals; write [signals.NAME]", origin_of(*node)));
-    return signals;
-  }
-  const auto known = KnownPaths::of_signal();
-  for (const auto& [key, element] : *node->as_table()) {
-    const std::string name(key.str());
-    if (!element.is_table()) {
-      problems.push_back(fmt::format("{}: signals.{} must be a table; write {} = {{ formula = \"...\" }}",
-                                     origin_of(element), name, name));
-      continue;
-    }
-    SignalScope signal;
-    signal.name = name;
-    signal.scope.prefix = fmt::format("signals.{}.", name);
-    signal.scope.origin = origin_of(element);
-    flatten(*element.as_table(), known, origin_of, signal.scope, problems);
-    signals.push_back(std::move(signal));
-  }
+  const NamedTables tables{"signals", "[signals.NAME]", "signals.", "formula = \"...\"", KnownPaths::of_signal()};
+  read_tables(root, tables, origin_of, problems, [&](const std::string& name, Scope scope) {
+    signals.push_back({name, std::move(scope)});
+  });
   return signals;
+}
+
+std::vector<PartScope> read_parts(const toml::table& body, const std::string& prefix, const OriginOf& origin_of,
+                                  std::vector<std::string>& problems) {
+  std::vector<PartScope> parts;
+  for (const auto& [word, kind] : words_of<PartKind>()) {
+    const NamedTables tables{word, "[body." + word + ".NAME]", prefix + word + ".", "...", KnownPaths::of_part(kind)};
+    read_tables(body, tables, origin_of, problems, [&, part = kind](const std::string& name, Scope scope) {
+      parts.push_back({prefix, part, name, std::move(scope)});
+    });
+  }
+  return parts;
 }
 
 PatchLists read_patches(const toml::table& root, const OriginOf& origin_of, std::vector<std::string>& problems) {

@@ -10,6 +10,10 @@ namespace pliant {
 std::vector<SignalScope> read_signals(const toml::table& root, const OriginOf& origin_of,
                                       std::vector<std::string>& problems);
 
+/// The tables [body.selection.NAME], [body.tether.NAME], ... of a body with this prefix.
+std::vector<PartScope> read_parts(const toml::table& body, const std::string& prefix, const OriginOf& origin_of,
+                                  std::vector<std::string>& problems);
+
 struct PatchLists {
   std::set<int> sides;  ///< those that have a list of patches, be it empty
   std::vector<PatchScope> patches;

@@ -123,6 +123,27 @@ bool lay_named_scopes_over(const toml::table& table, const OriginOf& origin_of, 
   document.patches.insert(document.patches.end(), patches.begin(), patches.end());
   return !signals.empty() || !sides.empty();
 }
+
+template <class Visit>
+void with_keys_of(PartKind kind, Visit visit) {
+  if (kind == PartKind::selection) visit(selection_keys());
+  if (kind == PartKind::tether) visit(tether_keys());
+  if (kind == PartKind::cord) visit(cord_keys());
+  if (kind == PartKind::pull) visit(pull_keys());
+}
+
+/// What a table says of the named parts of a body.
+void lay_parts_over(const toml::table& table, const std::string& prefix, const OriginOf& origin_of,
+                    CaseDocument& document) {
+  const auto parts = read_parts(table, prefix, origin_of, document.problems);
+  for (const auto& over : parts) {
+    auto& all = document.parts;
+    const auto same =
+        std::find_if(all.begin(), all.end(), [&](const auto& old) { return old.scope.prefix == over.scope.prefix; });
+    if (same == all.end()) all.push_back(over);
+    else with_keys_of(over.kind, [&](const auto& keys) { lay_over(same->scope, over.scope, keys); });
+  }
+}
 }  // namespace
 
 void apply_override(const std::string& text, CaseDocument& document) {
@@ -160,7 +181,9 @@ void apply_override(const std::string& text, CaseDocument& document) {
     return;
   }
   over.prefix = body->prefix;
-  flatten(nest(std::span(parts).subspan(2), node), KnownPaths::of_body(), origin_of, over, document.problems);
+  const auto table = nest(std::span(parts).subspan(2), node);
+  flatten(table, KnownPaths::of_body(), origin_of, over, document.problems);
+  lay_parts_over(table, over.prefix, origin_of, document);
   lay_over(*body, over, body_keys());
 }
 

@@ -26,6 +26,20 @@ Json resolve(const std::vector<Key<Config>>& keys, const Config& config) {
   return tree;
 }
 
+template <class Config>
+void add_parts(Json& tree, PartKind kind, const std::vector<Key<Config>>& keys, const std::vector<Config>& parts) {
+  for (const auto& part : parts) tree[word_for(kind)][part.name] = resolve(keys, part);
+}
+
+Json resolve_body(const BodyConfig& body) {
+  auto tree = resolve(body_keys(), body);
+  add_parts(tree, PartKind::selection, selection_keys(), body.selections);
+  add_parts(tree, PartKind::tether, tether_keys(), body.tethers);
+  add_parts(tree, PartKind::cord, cord_keys(), body.cords);
+  add_parts(tree, PartKind::pull, pull_keys(), body.pulls);
+  return tree;
+}
+
 std::string quoted_key(const std::string& key) {
   const bool bare = std::all_of(key.begin(), key.end(), [](unsigned char c) { return std::isalnum(c) || c == '_'; });
   return bare ? key : "\"" + key + "\"";
@@ -56,7 +70,7 @@ Json resolved_case(const CaseConfig& config) {
     if (const auto* patches = patches_of(config.boundary[side]))
       for (const auto& patch : *patches)
         tree["boundary"][side_names()[side]]["patches"].push_back(resolve(patch_keys(), patch));
-  for (const auto& body : config.bodies) tree["body"].push_back(resolve(body_keys(), body));
+  for (const auto& body : config.bodies) tree["body"].push_back(resolve_body(body));
   return tree;
 }
 

@@ -32,6 +32,7 @@ class Reader {
         complain(scope, "surface", scope.origin,
                  "is missing; write surface = { shape = \"sphere\", ... } or surface = { file = \"...\" }");
       config.origins.emplace(scope.prefix.substr(0, scope.prefix.size() - 1), scope.origin);
+      read_parts(scope.prefix, body);
       config.bodies.push_back(std::move(body));
     }
     return config;
@@ -69,6 +70,23 @@ class Reader {
             fmt::format("{}: {} is on a side of type \"{}\"; only \"wall\" and \"free-slip\" sides of z have patches",
                         scope.origin, key, boundary_word(config.boundary[at])));
     }
+  }
+
+  void read_parts(const std::string& prefix, BodyConfig& body) {
+    for (const auto& part : document_.parts) {
+      if (part.body != prefix) continue;
+      origins_->emplace(part.scope.prefix.substr(0, part.scope.prefix.size() - 1), part.scope.origin);
+      if (part.kind == PartKind::selection) read_part(selection_keys(), part, body.selections);
+      if (part.kind == PartKind::tether) read_part(tether_keys(), part, body.tethers);
+      if (part.kind == PartKind::cord) read_part(cord_keys(), part, body.cords);
+      if (part.kind == PartKind::pull) read_part(pull_keys(), part, body.pulls);
+    }
+  }
+
+  template <class Config>
+  void read_part(const std::vector<Key<Config>>& keys, const PartScope& part, std::vector<Config>& all) {
+    apply(keys, part.scope, all.emplace_back());
+    all.back().name = part.name;
   }
 
   void complain(const Scope& scope, const std::string& path, const std::string& origin, const std::string& what) {

@@ -77,6 +77,20 @@ std::string case_reference() {
       "potential that is not\nwritten is not there.\n\n" +
       table_head();
   for (const auto& key : body_keys()) text += row(key, key.path);
+  text +=
+      "\n## [body.selection.NAME]\n\nVertices of a deformable body by a name: those for which all that is given "
+      "holds. Points and directions are in the\ncoordinates of the surface before `rotation` and `center`, and go "
+      "along "
+      "with it and its copies. On the command line:\n`--set body.flag.selection.pole.plane.side=beyond`. "
+      "[bodies.md](bodies.md) says more.\n\n" +
+      table_head();
+  for (const auto& key : selection_keys()) text += row(key, key.path);
+  text += "\n## [body.tether.NAME]\n\nSprings from vertices to their places at the start.\n\n" + table_head();
+  for (const auto& key : tether_keys()) text += row(key, key.path);
+  text += "\n## [body.cord.NAME]\n\nCords, which pull and never push.\n\n" + table_head();
+  for (const auto& key : cord_keys()) text += row(key, key.path);
+  text += "\n## [body.pull.NAME]\n\nConstant forces.\n\n" + table_head();
+  for (const auto& key : pull_keys()) text += row(key, key.path);
   return text;
 }
 

@@ -8,6 +8,7 @@
 #include "config/key_table.hpp"
 #include "config/validate_bodies.hpp"
 #include "config/validate_patches.hpp"
+#include "config/validate_structure.hpp"
 
 namespace pliant {
 namespace {
@@ -27,6 +28,7 @@ class Validator {
     check_initial_flow();
     check_bodies();
     check_motions(config_, suspect_, problems_);
+    check_structures(config_, suspect_, problems_);
     check_patches(config_, suspect_, problems_);
     return std::move(problems_);
   }

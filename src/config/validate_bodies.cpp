@@ -60,10 +60,11 @@ class MotionValidator {
   void check_coupling(const BodyConfig& body) {
     if (!trusted({"coupling"})) return;
     const auto word = word_for(body.coupling);
-    if (body.motion == MotionKind::deformable && body.coupling != CouplingKind::one_way)
-      complain("coupling", fmt::format("is \"{}\", but the flow cannot feel deformable bodies yet; write coupling = "
-                                       "\"one-way\", or choose another motion (fixed, prescribed, rigid, hinge)",
-                                       word));
+    const bool is_soft =
+        body.coupling == CouplingKind::force_spreading || body.coupling == CouplingKind::local_mass;
+    if (is_soft && body.motion != MotionKind::deformable)
+      complain("coupling", fmt::format("is \"{}\", which moves the vertices of deformable bodies, but motion is \"{}\"",
+                                       word, word_for(body.motion)));
     const bool is_free = body.motion == MotionKind::rigid || body.motion == MotionKind::hinge;
     if (is_free && body.coupling == CouplingKind::one_way)
       complain("coupling", fmt::format("is \"{}\", but what moves a body with motion = \"{}\" is its action on the "

@@ -186,6 +186,24 @@ struct ValueCodec<std::vector<std::array<double, 2>>> {
   }
 };
 
+/// A list of names.
+template <>
+struct ValueCodec<std::vector<std::string>> {
+  static std::string type_name() { return "list of strings"; }
+  static std::string legal(const Limits&) { return "each not empty"; }
+  static std::optional<std::string> read(const Json& value, std::vector<std::string>& out, const Limits& limits) {
+    if (!value.is_array()) return "must be a list of strings, [\"...\", ...], not " + describe_value(value);
+    std::vector<std::string> result(value.size());
+    for (std::size_t n = 0; n < result.size(); ++n) {
+      if (auto problem = ValueCodec<std::string>::read(value[n], result[n], limits))
+        return "entry " + std::to_string(n + 1) + " " + *problem;
+    }
+    out = std::move(result);
+    return std::nullopt;
+  }
+  static Json write(const std::vector<std::string>& value) { return value.empty() ? Json() : Json(value); }
+};
+
 /// Words, listed by words_of<E>().
 template <class T>
 requires std::is_enum_v<T>

@@ -92,7 +92,9 @@ Words<CouplingKind> words_of<CouplingKind>() {
   return {{"auto", CouplingKind::automatic},
           {"one-way", CouplingKind::one_way},
           {"loose", CouplingKind::loose},
-          {"strong", CouplingKind::strong}};
+          {"strong", CouplingKind::strong},
+          {"force-spreading", CouplingKind::force_spreading},
+          {"local-mass", CouplingKind::local_mass}};
 }
 
 template <>
@@ -102,7 +104,33 @@ Words<LoadSource> words_of<LoadSource>() {
 
 template <>
 Words<StrongScheme> words_of<StrongScheme>() {
-  return {{"aitken", StrongScheme::aitken}, {"hamming", StrongScheme::hamming}};
+  return {{"auto", StrongScheme::automatic},
+          {"aitken", StrongScheme::aitken},
+          {"quasi-newton", StrongScheme::quasi_newton},
+          {"hamming", StrongScheme::hamming}};
+}
+
+template <>
+Words<MembraneLaw> words_of<MembraneLaw>() {
+  return {{"neo-hookean", MembraneLaw::neo_hookean}, {"skalak", MembraneLaw::skalak}};
+}
+
+template <>
+Words<PlaneSide> words_of<PlaneSide>() {
+  return {{"on", PlaneSide::on}, {"beyond", PlaneSide::beyond}};
+}
+
+template <>
+Words<CordEnds> words_of<CordEnds>() {
+  return {{"each", CordEnds::each}, {"middle", CordEnds::middle}};
+}
+
+template <>
+Words<PartKind> words_of<PartKind>() {
+  return {{"selection", PartKind::selection},
+          {"tether", PartKind::tether},
+          {"cord", PartKind::cord},
+          {"pull", PartKind::pull}};
 }
 
 }  // namespace pliant

@@ -48,6 +48,14 @@ template <>
 Words<LoadSource> words_of<LoadSource>();
 template <>
 Words<StrongScheme> words_of<StrongScheme>();
+template <>
+Words<MembraneLaw> words_of<MembraneLaw>();
+template <>
+Words<PlaneSide> words_of<PlaneSide>();
+template <>
+Words<CordEnds> words_of<CordEnds>();
+template <>
+Words<PartKind> words_of<PartKind>();
 
 /// The word for a value.
 template <class E>

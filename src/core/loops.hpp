@@ -1,5 +1,4 @@
 #pragma once
-#include "core/prefetch.hpp"
 
 /// The one place that knows how a loop over cells or markers runs. Bodies take indices and hold only views and plain
 /// values, so that another machine's loops can stand here.
@@ -16,11 +15,6 @@ inline void for_each(int n, Body body) {
 template <class Body>
 inline void for_rows(int n, Body&& body) {
   for (int j = 0; j < n; ++j) body(j);
-}
-
-/// Begins to load a row of n doubles that a sweep will want a row later, while it works on the present one.
-[[gnu::always_inline]] inline void prefetch_row(const double* row, int n) {
-  for (int i = 0; i < n; i += 8) prefetch(row + i);
 }
 
 /// body(k) for planes in ascending order: a sweep, in which a plane may use what its forerunner left.

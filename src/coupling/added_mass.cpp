@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "config/word.hpp"
@@ -23,6 +24,18 @@ double added_mass(const BodyKind& kind, double area, double spacing) {
 double virtual_ratio(const BodyKind& kind) {
   if (kind.config.motion == MotionKind::rigid) return kind.rigid.virtual_mass / kind.rigid.mass;
   return kind.hinge.virtual_inertia / kind.hinge.inertia;
+}
+
+CouplingKind choose_for_deformable(const BodyKind& kind, std::string& reason) {
+  const auto asked = kind.config.coupling;
+  const auto& masses = kind.prototype.masses;
+  const bool massless = std::all_of(masses.begin(), masses.end(), [](double m) { return m == 0; });
+  if (asked == CouplingKind::automatic) {
+    reason = massless ? "it has no mass of its own" : "it has mass of its own";
+    return massless ? CouplingKind::force_spreading : CouplingKind::local_mass;
+  }
+  reason = "as given";
+  return asked;
 }
 
 }  // namespace
@@ -49,10 +62,7 @@ double added_mass_ratio(const BodyKind& kind, double fluid_density, double spaci
 
 CouplingKind choose_coupling(const BodyKind& kind, std::string& reason) {
   const auto asked = kind.config.coupling;
-  if (kind.config.motion == MotionKind::deformable) {
-    reason = "deformable bodies do not act on the flow";
-    return CouplingKind::one_way;
-  }
+  if (kind.config.motion == MotionKind::deformable) return choose_for_deformable(kind, reason);
   if (asked == CouplingKind::one_way) {
     reason = "as given";
     return asked;

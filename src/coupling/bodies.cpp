@@ -79,6 +79,8 @@ Body Bodies::make_copy(std::size_t k, long id, const Placement& placement) const
   if (kind.has_pose()) follow_pose(body, kind);
   else body.surface.positions = place(body.surface.positions, placement);
   body.surface.reference = body.surface.positions;
+  body.surface.origin = body.origin;
+  body.surface.orientation = body.start_orientation;
   body.told = body.told_before = body.met = body.pose;
   return body;
 }

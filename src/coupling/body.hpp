@@ -31,15 +31,26 @@ struct BodyKind {
   RigidModel rigid;       ///< motion = "rigid"
   HingeModel hinge;       ///< motion = "hinge"
   PrescribedMotion path;  ///< motion = "prescribed"
+  bool meets_flow_at_vertices = false;  ///< of a soft body: else at the points of `layout`
+  bool restores_volume = false;         ///< of a soft body
+  double layered_limit = 0;             ///< of a soft body's substeps: 2/omega, the layer of fluid at its wall included
 
   bool is_closed() const { return displaced.volume > 0; }
   /// Fluid on both sides, and no thickness that the flow should feel.
   bool is_thin_sheet() const { return !is_closed() && config.thin_sheet && config.coupling != CouplingKind::one_way; }
+  /// Moves together with the flow, substep by substep.
+  bool is_soft() const { return coupling == CouplingKind::force_spreading || coupling == CouplingKind::local_mass; }
+  /// The flow has to follow its markers.
+  bool forces_flow() const { return acts_on_flow() && !is_soft(); }
   bool acts_on_flow() const { return coupling != CouplingKind::one_way; }
   /// Its vertices follow a pose; else Newton's law, one by one.
   bool has_pose() const { return config.motion != MotionKind::deformable; }
   /// Its pose follows from loads.
   bool is_free() const { return config.motion == MotionKind::rigid || config.motion == MotionKind::hinge; }
+  /// Stress at probes moves it, not the momentum balance.
+  bool is_driven_by_probes() const {
+    return (is_free() || (!has_pose() && forces_flow())) && config.loads == LoadSource::probes;
+  }
 };
 
 /// What the flow does to a body, torques about its centre, means or values of the last step.
@@ -75,6 +86,10 @@ struct Body {
   RigidState told, told_before;  ///< pose and motion that the flow was last told, and in the step before
   RigidState met;                ///< pose when deformable bodies last ended a step
   BodyLoads loads;
+  std::vector<Vec3> told_positions, told_velocities;  ///< of deformable bodies that the flow has to follow
+  std::vector<Vec3> flow_forces, accelerations;       ///< of these, by vertex, in the last step
+  std::vector<Vec3> mass_velocities;  ///< of a soft body's own mass (force-spreading)
+  double volume_restored = 0;         ///< since the start, over the volume
   std::vector<double> scheme;       ///< what the strong scheme remembers from step to step
   SwingCount swing, turning_swing;  ///< of the linear and of the angular acceleration
   Slip slip;                        ///< found with the diagnostics

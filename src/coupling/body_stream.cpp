@@ -30,12 +30,18 @@ void write_body(const Body& body, const BodyKind& kind, ByteWriter& out) {
   out.write(body.surface.positions);
   out.write(body.surface.velocities);
   out.write(body.surface.forces);
+  for (const auto* values : {&body.told_positions, &body.told_velocities, &body.flow_forces, &body.accelerations,
+                             &body.mass_velocities})
+    out.write(*values);
+  out.write(body.volume_restored);
 }
 
 void read_body(ByteReader& in, const BodyKind& kind, Body& body) {
   in.read(body.origin);
   in.read(body.start);
   in.read(body.start_orientation);
+  body.surface.origin = body.origin;
+  body.surface.orientation = body.start_orientation;
   in.read(body.pose);
   in.read(body.acceleration);
   in.read(body.hinge);
@@ -54,6 +60,10 @@ void read_body(ByteReader& in, const BodyKind& kind, Body& body) {
   read_vertices(in, body.surface.positions);
   read_vertices(in, body.surface.velocities);
   read_vertices(in, body.surface.forces);
+  for (auto* values : {&body.told_positions, &body.told_velocities, &body.flow_forces, &body.accelerations,
+                       &body.mass_velocities})
+    in.read(*values);
+  in.read(body.volume_restored);
 }
 
 }  // namespace pliant

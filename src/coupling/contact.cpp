@@ -116,10 +116,12 @@ void Contact::end(Bodies& bodies, double step) {
     Vec3 missing;
     double inertia = 0;
     for (std::size_t v = 0; v < taken.size(); ++v) {
+      if (surface.is_pinned(v)) continue;
       missing += 0.5 * (told[b][v] - taken[v]);
       inertia += surface.masses[v] + step * resistances[v];
     }
-    for (Vec3& velocity : surface.velocities) velocity += missing / inertia;
+    for (std::size_t v = 0; v < taken.size() && inertia > 0; ++v)
+      if (!surface.is_pinned(v)) surface.velocities[v] += missing / inertia;
   }
 }
 

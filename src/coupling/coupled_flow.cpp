@@ -1,5 +1,7 @@
 #include "coupling/coupled_flow.hpp"
 
+#include <limits>
+
 #include "coupling/one_way.hpp"
 #include "coupling/surface_stress.hpp"
 
@@ -18,14 +20,22 @@ CoupledFlow::CoupledFlow(const CaseConfig& config, FlowSolver& flow, Bodies& bod
       flow_(flow),
       bodies_(bodies),
       contact_(flow.grid(), config),
+      copies_(flow.grid()),
       sampler_(flow.grid(), fields_of(flow), config.fluid.density) {
+  bool has_forced = false;
   for (const auto& kind : bodies.kinds()) {
+    has_forced |= kind.forces_flow();
+    if (kind.coupling == CouplingKind::force_spreading && !force_spreading_)
+      force_spreading_.emplace(flow.grid(), config, bodies);
+    if (kind.coupling == CouplingKind::local_mass && !local_mass_) local_mass_.emplace(flow.grid(), config, bodies);
     is_two_way_ |= kind.acts_on_flow();
     has_strong_ |= kind.coupling == CouplingKind::strong;
-    has_probe_driven_ |= kind.is_free() && kind.config.loads == LoadSource::probes;
-    has_deformable_ |= !kind.has_pose();
+    has_probe_driven_ |= kind.is_driven_by_probes();
+    has_one_way_ |= !kind.has_pose() && !kind.acts_on_flow();
   }
-  if (!is_two_way_) return;
+  if (start == RunStart::anew && force_spreading_) force_spreading_->adopt_flow(flow_.state());
+  if (start == RunStart::anew && local_mass_) local_mass_->adopt_flow(flow_.state());
+  if (!has_forced) return;
   boundary_.emplace(flow.grid(), config);
   boundary_->place(bodies_, MarkerGroup::fixed);
   boundary_->place(bodies_, MarkerGroup::moving);
@@ -33,22 +43,57 @@ CoupledFlow::CoupledFlow(const CaseConfig& config, FlowSolver& flow, Bodies& bod
 }
 
 void CoupledFlow::place_markers() {
-  if (!is_two_way_) return;
+  if (!boundary_) return;
   const auto scope = timer_.measure("bodies: markers");
   boundary_->place(bodies_, MarkerGroup::moving);
+}
+
+FlowHooks CoupledFlow::hooks() {
+  FlowHooks hooks;
+  if (force_spreading_) {
+    hooks.forces = force_spreading_->forces();
+    hooks.before = [this](const Substep& substep, double dt) {
+      const auto scope = timer_.measure("bodies: soft, within fluid");
+      force_spreading_->before(substep, dt);
+    };
+    hooks.corrected = [this](const Substep& substep, double dt) {
+      const auto& state = flow_.state();
+      const auto scope = timer_.measure("bodies: soft, within fluid");
+      force_spreading_->corrected(substep, dt, state);
+    };
+  }
+  const bool merges = force_spreading_ && force_spreading_->wants_predicted();
+  if (boundary_ || local_mass_ || merges)
+    hooks.predicted = [this, merges](const Substep& substep, double dt, View<FaceX> u, View<FaceY> v, View<FaceZ> w) {
+      if (merges || local_mass_) {
+        const auto scope = timer_.measure("bodies: soft, within fluid");
+        if (merges) force_spreading_->predicted(substep, dt, u, v, w);
+        if (merges && local_mass_) copies_.fill(u, v, w);
+        if (local_mass_) local_mass_->predicted(substep, dt, u, v, w);
+        if (boundary_) copies_.fill(u, v, w);
+      }
+      if (!boundary_) return;
+      const auto scope = timer_.measure("bodies: forcing, within fluid");
+      boundary_->apply(substep, dt, u, v, w);
+    };
+  return hooks;
 }
 
 void CoupledFlow::advance_fluid(double step) {
   last_step_ = step;
   const auto scope = timer_.measure("fluid");
-  if (!is_two_way_) {
-    flow_.advance(step);
-    return;
-  }
-  flow_.advance(step, [this](const Substep& substep, double dt, View<FaceX> u, View<FaceY> v, View<FaceZ> w) {
-    const auto forcing = timer_.measure("bodies: forcing, within fluid");
-    boundary_->apply(substep, dt, u, v, w);
-  });
+  if (local_mass_) local_mass_->begin();
+  flow_.advance(step, hooks());
+}
+
+void CoupledFlow::finish_soft_bodies(double step) {
+  const auto scope = timer_.measure("bodies: motion");
+  if (force_spreading_) force_spreading_->finish(step);
+  if (local_mass_) local_mass_->finish(step);
+}
+
+double CoupledFlow::step_limit() const {
+  return force_spreading_ ? force_spreading_->step_limit() : std::numeric_limits<double>::infinity();
 }
 
 // Samplers read the fields themselves.
@@ -64,7 +109,7 @@ Vec3 CoupledFlow::driving() const {
 }
 
 void CoupledFlow::find_loads(double step) {
-  if (!is_two_way_) return;
+  if (!boundary_) return;
   if (has_probe_driven_) settle();
   const auto scope = timer_.measure("bodies: loads");
   boundary_->find_reactions(bodies_, MarkerGroup::moving, step, driving());
@@ -81,7 +126,7 @@ void CoupledFlow::accept() {
 }
 
 void CoupledFlow::advance_one_way_bodies(double step) {
-  if (!has_deformable_) return;
+  if (!has_one_way_) return;
   settle();
   const auto scope = timer_.measure("bodies: motion");
   advance_one_way(bodies_, sampler_, config_.fluid, contact_, step);
@@ -90,8 +135,10 @@ void CoupledFlow::advance_one_way_bodies(double step) {
 void CoupledFlow::diagnose() {
   if (!is_two_way_) return;
   flow_.settle();
-  if (last_step_ > 0) boundary_->find_reactions(bodies_, MarkerGroup::fixed, last_step_, driving());
-  boundary_->measure_slip(bodies_, flow_.state());
+  if (boundary_ && last_step_ > 0) boundary_->find_reactions(bodies_, MarkerGroup::fixed, last_step_, driving());
+  if (force_spreading_) force_spreading_->measure_slip(flow_.state());
+  if (local_mass_) local_mass_->measure_slip(flow_.state());
+  if (boundary_) boundary_->measure_slip(bodies_, flow_.state());
   find_stresses(bodies_, sampler_, flow_.grid(), driving(), StressOf::all);
 }
 

@@ -3,7 +3,10 @@
 
 #include "coupling/advance_body.hpp"
 #include "coupling/contact.hpp"
+#include "coupling/force_spreading.hpp"
+#include "coupling/forced_vertices.hpp"
 #include "coupling/immersed_boundary.hpp"
+#include "coupling/local_mass.hpp"
 #include "flow/flow_solver.hpp"
 #include "transfer/mls_sampler.hpp"
 
@@ -36,6 +39,10 @@ class CoupledFlow {
   void find_loads(double step);
   /// The load that moves a rigid or hinged body.
   RigidLoad load_on(const Body& body) const;
+  /// Ends the step of bodies that move with the flow. Collective. Throws CollectiveError.
+  void finish_soft_bodies(double step);
+  /// What moves the vertices of deformable bodies besides the flow.
+  NodalSurroundings nodal_surroundings() const { return {config_.forcing.gravity, config_.fluid.density}; }
   /// The step is done: what the flow was told becomes what it was told before.
   void accept();
 
@@ -44,6 +51,9 @@ class CoupledFlow {
 
   /// Moves deformable bodies, which feel the flow and which it does not feel. Collective. Throws CollectiveError.
   void advance_one_way_bodies(double step);
+
+  /// The largest step that soft bodies are stable with; infinite without them. The same on all ranks.
+  double step_limit() const;
 
   /// Time by phase, the flow's own phases left out.
   const PhaseTimer& timer() const { return timer_; }
@@ -55,14 +65,18 @@ class CoupledFlow {
  private:
   Vec3 driving() const;
   void settle();
+  FlowHooks hooks();
 
   CaseConfig config_;
   FlowSolver& flow_;
   Bodies& bodies_;
-  std::optional<ImmersedBoundary> boundary_;  // if a body acts on the flow
+  std::optional<ImmersedBoundary> boundary_;  // if the flow has to follow a body
+  std::optional<ForceSpreading> force_spreading_;
+  std::optional<LocalMass> local_mass_;
   Contact contact_;
+  VelocityCopies copies_;
   MlsSampler sampler_;
-  bool has_strong_ = false, is_two_way_ = false, has_probe_driven_ = false, has_deformable_ = false;
+  bool has_strong_ = false, is_two_way_ = false, has_probe_driven_ = false, has_one_way_ = false;
   PhaseTimer timer_;
   double last_step_ = 0;
 };

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "core/error.hpp"
+#include "mesh/geometry.hpp"
 #include "parallel/agree.hpp"
 
 namespace pliant {
@@ -25,7 +26,7 @@ std::span<const Vec3> part(std::span<const Vec3> all, std::size_t begin, std::si
 }
 
 bool belongs(const BodyKind& kind, MarkerGroup group) {
-  return kind.acts_on_flow() && (kind.config.motion == MotionKind::fixed) == (group == MarkerGroup::fixed);
+  return kind.forces_flow() && (kind.config.motion == MotionKind::fixed) == (group == MarkerGroup::fixed);
 }
 
 bool has_sheets(const Bodies& bodies, MarkerGroup group) {
@@ -61,6 +62,28 @@ RigidState rigid_fit(std::span<const Vec3> positions, std::span<const Vec3> velo
   return fit;
 }
 
+/// Means of markers around each vertex, weighted by area.
+void adopt_vertex_velocities(Body& body, const BodyKind& kind, std::span<const Vec3> velocities,
+                             std::span<const double> areas) {
+  auto& surface = body.surface;
+  std::vector<Vec3> weighted(velocities.size());
+  for (std::size_t m = 0; m < weighted.size(); ++m) weighted[m] = areas[m] * velocities[m];
+  std::fill(surface.velocities.begin(), surface.velocities.end(), Vec3{});
+  kind.layout.add_to_vertices(weighted, surface.velocities);
+  const auto of_vertices = vertex_areas(surface.mesh, surface.positions);
+  for (std::size_t v = 0; v < of_vertices.size(); ++v) {
+    if (surface.is_pinned(v)) surface.velocities[v] = {};
+    else surface.velocities[v] *= 1 / of_vertices[v];
+  }
+}
+
+void tell(Body& body, const BodyKind& kind) {
+  body.told = body.pose;
+  if (kind.has_pose()) return;
+  body.told_positions = body.surface.positions;
+  body.told_velocities = body.surface.velocities;
+}
+
 }  // namespace
 
 ImmersedBoundary::ImmersedBoundary(const Grid& grid, const CaseConfig& config)
@@ -78,9 +101,14 @@ void ImmersedBoundary::gather(const Bodies& bodies, MarkerGroup which, Group& gr
   for (const Body& body : bodies.own()) {
     const auto& kind = bodies.kind_of(body);
     if (!belongs(kind, which)) continue;
-    group.positions.resize(kind.reference.size());
-    group.velocities.resize(kind.reference.size());
-    place_vertices(body.told, kind.reference, group.positions, group.velocities);
+    if (kind.has_pose()) {
+      group.positions.resize(kind.reference.size());
+      group.velocities.resize(kind.reference.size());
+      place_vertices(body.told, kind.reference, group.positions, group.velocities);
+    } else {
+      group.positions = body.told_positions;
+      group.velocities = body.told_velocities;
+    }
     kind.layout.place_inside(group.positions, group.velocities, kind.retraction, of_body);
     const std::size_t begin = group.markers.areas.size();
     append(group.markers.positions, of_body.positions);
@@ -109,7 +137,7 @@ std::string ImmersedBoundary::find_outside(const Bodies& bodies, MarkerGroup whi
 void ImmersedBoundary::place(Bodies& bodies, MarkerGroup which) {
   agree(grid_.ranks(), find_outside(bodies, which));
   for (Body& body : bodies.own())
-    if (belongs(bodies.kind_of(body), which)) body.told = body.pose;
+    if (belongs(bodies.kind_of(body), which)) tell(body, bodies.kind_of(body));
   place_as_told(bodies, which);
 }
 
@@ -156,6 +184,11 @@ void ImmersedBoundary::find_reactions(Bodies& bodies, MarkerGroup which, double 
     loads.reaction =
         total_load(part(group.markers.positions, p.begin, p.end), part(forces, p.begin, p.end), body.told.center);
     loads.balance = loads.reaction;
+    if (!kind.has_pose()) {
+      body.flow_forces.assign(body.surface.positions.size(), Vec3{});
+      kind.layout.add_to_vertices(part(forces, p.begin, p.end), body.flow_forces);
+      continue;  // there is fluid on both sides of its wall
+    }
     if (!kind.is_closed()) continue;
     const double per_step = 1 / step;
     const InnerMotion motion{per_step * (body.told.velocity - body.told_before.velocity),
@@ -206,6 +239,11 @@ void ImmersedBoundary::adopt_inner_motion(Bodies& bodies, const FlowState& flow)
     const auto& group = group_of(which);
     for (const Part& p : group.parts) {
       Body& body = *bodies.find(p.body);
+      if (!bodies.kind_of(body).has_pose()) {
+        adopt_vertex_velocities(body, bodies.kind_of(body), part(velocities, p.begin, p.end),
+                                part(group.markers.areas, p.begin, p.end));
+        continue;
+      }
       const RigidState inside =
           rigid_fit(part(group.markers.positions, p.begin, p.end), part(velocities, p.begin, p.end),
                     part(group.markers.areas, p.begin, p.end), body.pose.center);

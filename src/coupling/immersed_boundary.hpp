@@ -19,7 +19,7 @@ class ImmersedBoundary {
   /// remembers what the flow is told. Collective. Throws CollectiveError that names a body outside the box.
   void place(Bodies& bodies, MarkerGroup group);
   /// Gives every body that acts on the flow the motion that the fluid inside it has now, as what the flow was told
-  /// before: the start of a run. Collective.
+  /// before: the start of a run. Vertices of deformable bodies take the flow's velocity. Collective.
   void adopt_inner_motion(Bodies& bodies, const FlowState& flow);
 
   /// The forcing of one substep, to be called as FlowSolver's hook.

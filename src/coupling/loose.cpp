@@ -13,8 +13,12 @@ void advance_loose_bodies(CoupledFlow& coupled, double step) {
   std::string problem;
   for (Body& body : bodies.own()) {
     const auto& kind = bodies.kind_of(body);
-    if (!kind.is_free() || kind.coupling != CouplingKind::loose) continue;
+    if (kind.coupling != CouplingKind::loose || (kind.has_pose() && !kind.is_free())) continue;
     try {
+      if (!kind.has_pose()) {
+        advance_forced(body, kind, coupled.nodal_surroundings(), step);
+        continue;
+      }
       const RigidLoad load = coupled.load_on(body);
       advance_free(body, kind, load, step);
       if (is_swinging_up(body, kind, load, least)) throw RunError(explain_swing(body, kind));
@@ -30,6 +34,7 @@ void advance_loose(CoupledFlow& coupled, double time, double step) {
   coupled.place_markers();
   coupled.advance_fluid(step);
   coupled.find_loads(step);
+  coupled.finish_soft_bodies(step);
   coupled.accept();
   advance_loose_bodies(coupled, step);
 }

@@ -12,6 +12,7 @@
 #include "signals/make_signal.hpp"
 #include "structure/make_body.hpp"
 #include "structure/placement.hpp"
+#include "structure/stable_time_step.hpp"
 #include "transfer/direct_forcing.hpp"
 
 namespace pliant {
@@ -121,13 +122,34 @@ void set_shape(BodyKind& kind, const Grid& grid) {
   else if (retraction > 0) kind.layout.draw_in(body.mesh, body.positions, retraction);
 }
 
+/// A soft body meets the flow at its vertices, if faces are small enough for the grid; marker points serve all others.
+void set_softness(BodyKind& kind, const CaseConfig& config, const Grid& grid) {
+  if (!kind.is_soft()) return;
+  const auto& body = kind.prototype;
+  const auto lengths = edge_lengths(body.mesh, body.positions);
+  kind.meets_flow_at_vertices = kind.config.marker_refinement == 0 &&
+                                *std::max_element(lengths.begin(), lengths.end()) <=
+                                    longest_marker_edge * grid.smallest_spacing();
+  // Centroids alone would not feel vertices that alternate by threes.
+  if (!kind.meets_flow_at_vertices && kind.config.marker_refinement == 0) {
+    auto parts = refinement_for(body.mesh, body.positions, grid.smallest_spacing());
+    for (int& n : parts) n = std::max(n, 2);
+    kind.layout = MarkerLayout(body.mesh, parts);
+  }
+  kind.restores_volume = kind.is_closed() && kind.config.volume_correction;
+  auto masses = body.masses;
+  for (std::size_t v = 0; v < masses.size(); ++v)
+    masses[v] += config.fluid.density * grid.mean_spacing() * body.reference_areas[v];
+  kind.layered_limit = stable_time_step(find_largest_frequency(body, masses), 0, find_largest_damping_rate(body, masses));
+}
+
 /// A marker that stands for more than about two cells overshoots, and the flow blows up.
 void require_enough_markers(const BodyKind& kind, const CaseConfig& config, const Grid& grid) {
   MarkerSet markers;
   kind.layout.place(kind.prototype.positions, kind.prototype.velocities, markers);
   const double largest = *std::max_element(markers.areas.begin(), markers.areas.end());
   const double correction = largest * grid.mean_spacing() / (grid.dx() * grid.dy() * grid.smallest_dz());
-  if (!kind.acts_on_flow() || correction < DirectForcing::largest_stable_correction) return;
+  if (!kind.acts_on_flow() || kind.meets_flow_at_vertices || correction < DirectForcing::largest_stable_correction) return;
   throw InputError(
       fmt::format("{} has too few markers for the grid: one stands for {:.2g} cells, from {} on forcing is unstable; "
                   "leave marker_refinement to Pliant, or raise it",
@@ -153,7 +175,7 @@ void require_short_range(const BodyKind& kind, const CaseConfig& config) {
 BodyKind make_body_kind(const CaseConfig& config, std::size_t index, Surface shape, const Grid& grid) {
   BodyKind kind;
   kind.config = config.bodies[index];
-  kind.prototype = make_body(kind.config, std::move(shape), grid.mean_spacing());
+  kind.prototype = make_body(kind.config, std::move(shape), grid.mean_spacing(), config.fluid.density);
   auto& body = kind.prototype;
   const bool closed = body.mesh.is_closed();
   MassProperties material;
@@ -171,7 +193,7 @@ BodyKind make_body_kind(const CaseConfig& config, std::size_t index, Surface sha
   if (kind.config.motion == MotionKind::hinge) set_hinge(kind, material);
   if (kind.config.motion == MotionKind::prescribed) set_path(kind, config);
   kind.probes.form = probe_form(body.traction.form);
-  kind.probes.wetting = closed ? Wetting::outside : Wetting::both_sides;
+  kind.probes.wetting = closed && kind.has_pose() ? Wetting::outside : Wetting::both_sides;
   if (kind.retraction == 0 && !kind.is_thin_sheet()) kind.probes.offset = forced_surface_offset * grid.mean_spacing();
   kind.probes.length = body.traction.probe_length;
   kind.probes.density = config.fluid.density;
@@ -179,6 +201,7 @@ BodyKind make_body_kind(const CaseConfig& config, std::size_t index, Surface sha
   kind.added_mass_ratio = added_mass_ratio(kind, config.fluid.density, grid.mean_spacing());
   std::string reason;
   kind.coupling = choose_coupling(kind, reason);
+  set_softness(kind, config, grid);
   require_enough_markers(kind, config, grid);
   require_short_range(kind, config);
   return kind;

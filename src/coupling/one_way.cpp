@@ -2,9 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include "core/error.hpp"
 #include "loads/traction.hpp"
 #include "parallel/agree.hpp"
@@ -15,17 +12,8 @@
 namespace pliant {
 namespace {
 
-constexpr double most_substeps = 1e6;
-
 int count_substeps(const DeformableBody& body, const VertexLoads& loads, double step) {
-  if (body.substeps) return *body.substeps;
-  const double count = std::ceil(step / (substep_safety * stable_time_step(body, loads.drag)));
-  if (!(count <= most_substeps))
-    throw RunError(
-        fmt::format("body '{}': a fluid step of {:g} would need {:g} substeps; take a smaller fluid step, softer "
-                    "potentials or a larger mass_per_vertex",
-                    body.name, step, count));
-  return std::max(1, static_cast<int>(count));
+  return body.substeps ? *body.substeps : substeps_for(step, stable_time_step(body, loads.drag), body.name);
 }
 
 std::string find_outside(const DeformableBody& body, std::span<const Vec3> points, const PointRouter& box) {
@@ -64,7 +52,7 @@ void advance_one_way(Bodies& bodies, const FlowSampler& flow, const FluidConfig&
   std::vector<std::size_t> begin(1, 0);
   std::string problem;
   for (Body& body : bodies.own()) {
-    if (bodies.kind_of(body).has_pose()) continue;
+    if (bodies.kind_of(body).coupling != CouplingKind::one_way || bodies.kind_of(body).has_pose()) continue;
     const auto of_body = traction_points(body.surface);
     moved.push_back(&body);
     points.insert(points.end(), of_body.begin(), of_body.end());

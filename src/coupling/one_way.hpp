@@ -6,10 +6,6 @@
 
 namespace pliant {
 
-/// Fraction of the stability limit that a substep takes: the limit is that of the start, and bodies stiffen as they
-/// deform.
-inline constexpr double substep_safety = 0.7;
-
 /// Moves a body through one fluid step in the undisturbed flow; the fluid does not feel it. Every rank that
 /// samples must call this. A fixed body stays. Returns the number of substeps.
 /// Throws RunError if the motion breaks down or the body leaves the box.

@@ -21,10 +21,19 @@ void apply(StrongUnknowns& unknowns, const Communicator& ranks) {
   agree(ranks, problem);
 }
 
+bool uses_quasi_newton(CoupledFlow& coupled) {
+  const auto scheme = coupled.settings().scheme;
+  if (scheme != StrongScheme::automatic) return scheme == StrongScheme::quasi_newton;
+  const auto kinds = coupled.bodies().kinds();
+  return std::any_of(kinds.begin(), kinds.end(), [](const BodyKind& kind) {
+    return !kind.has_pose() && kind.coupling == CouplingKind::strong;
+  });
+}
+
 }  // namespace
 
 StrongCoupling::StrongCoupling(const Communicator& ranks, const CouplingConfig& settings)
-    : ranks_(ranks), settings_(settings), relaxation_(ranks, settings.relaxation) {}
+    : ranks_(ranks), settings_(settings), relaxation_(ranks, settings.relaxation), quasi_newton_(ranks, settings.relaxation) {}
 
 // Speaks for the body that changes most: agree takes the word of the rank that holds it.
 void StrongCoupling::fail(const StrongUnknowns& unknowns, std::span<const double> image, double change,
@@ -44,7 +53,9 @@ StrongReport StrongCoupling::advance(CoupledFlow& coupled, double time, double s
   coupled.flow().save_state(start_);
   move_prescribed(coupled.bodies(), time);
   StrongUnknowns unknowns(coupled, step);
+  const bool by_secants = uses_quasi_newton(coupled);
   relaxation_.restart();
+  quasi_newton_.restart();
   StrongReport report;
   // Below this no velocity is worth telling from another: a cell in a billion steps.
   const double floor = 1e-9 * coupled.flow().grid().dx() / step;
@@ -62,9 +73,11 @@ StrongReport StrongCoupling::advance(CoupledFlow& coupled, double time, double s
     if (report.residual <= settings_.tolerance) break;
     if (report.iterations >= settings_.max_iterations || !std::isfinite(report.residual))
       fail(unknowns, image, change, report);
-    relaxation_.relax(unknowns.values(), image);
+    if (by_secants) quasi_newton_.relax(unknowns.values(), image);
+    else relaxation_.relax(unknowns.values(), image);
   }
   unknowns.accept();
+  coupled.finish_soft_bodies(step);
   coupled.accept();
   advance_loose_bodies(coupled, step);
   return report;

@@ -1,6 +1,7 @@
 #pragma once
 #include "coupling/aitken.hpp"
 #include "coupling/coupled_flow.hpp"
+#include "coupling/quasi_newton.hpp"
 
 namespace pliant {
 
@@ -21,7 +22,8 @@ struct StrongReport {
 /// - hamming: the corrector of Hamming's method with the accelerations that this motion causes, after the estimated
 /// added
 ///   mass has been taken out of the load and put to the body (else it would ring from 7/9 of the body's own mass on).
-/// Both relax towards the fixed point y = G(y) with Aitken's factor. Fixed points hold bodies of any mass ratio,
+/// - deformable bodies: StrongVertices.
+/// All relax towards the fixed point y = G(y) with Aitken's factor, or by quasi-Newton. Fixed points hold bodies of any mass ratio,
 /// Hamming's formula as long as the estimate, or the virtual mass or inertia if that is more, is not less than half the
 /// true one.
 class StrongCoupling {
@@ -43,6 +45,7 @@ class StrongCoupling {
   Communicator ranks_;
   CouplingConfig settings_;
   AitkenRelaxation relaxation_;
+  QuasiNewton quasi_newton_;
   FlowSolver::Snapshot start_;
 };
 

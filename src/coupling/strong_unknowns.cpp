@@ -3,12 +3,36 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coupling/nodal_forces.hpp"
+#include "mesh/geometry.hpp"
+#include "structure/advance_vertices.hpp"
 #include "structure/rigid_vector.hpp"
 
 namespace pliant {
 namespace {
 
 constexpr std::size_t n_rigid_velocities = 6, n_hinge_velocities = 1;
+void pack(std::span<const Vec3> places, std::span<const Vec3> velocities, std::span<double> y) {
+  for (std::size_t v = 0; v < places.size(); ++v)
+    for (int c = 0; c < 3; ++c) {
+      const std::size_t at = 3 * v + static_cast<std::size_t>(c);
+      y[at] = places[v][c];
+      y[3 * places.size() + at] = velocities[v][c];
+    }
+}
+
+void unpack(std::span<const double> y, DeformableBody& body) {
+  const std::size_t n = body.positions.size();
+  for (std::size_t v = 0; v < n; ++v) {
+    if (body.is_pinned(v)) continue;
+    for (int c = 0; c < 3; ++c) {
+      const std::size_t at = 3 * v + static_cast<std::size_t>(c);
+      body.positions[v][c] = y[at];
+      body.velocities[v][c] = y[3 * n + at];
+    }
+  }
+}
+
 constexpr std::size_t first_velocity_of_vector = 7;  // of a rigid body, pack()
 
 bool is_rigid(const BodyKind& kind) { return kind.config.motion == MotionKind::rigid; }
@@ -50,20 +74,83 @@ StrongUnknowns::StrongUnknowns(CoupledFlow& coupled, double step) : coupled_(cou
     item.body = &body;
     item.kind = &kind;
     item.begin = values_.size();
-    item.extent = extent_of(body, kind);
+    if (kind.has_pose()) item.extent = extent_of(body, kind);
     item.start = body.pose;
     item.start_acceleration = body.acceleration;
     item.start_hinge = body.hinge;
     item.start_hinge_acceleration = body.hinge_acceleration;
-    item.scheme = coupled.settings().scheme;
+    item.scheme = coupled.settings().scheme == StrongScheme::hamming ? StrongScheme::hamming : StrongScheme::aitken;
     guess(item);
     items_.push_back(std::move(item));
   }
 }
 
 void StrongUnknowns::guess(Item& item) {
+  if (!item.kind->has_pose()) return guess_vertices(item);
   if (item.scheme == StrongScheme::hamming) guess_by_hamming(item);
   if (item.scheme == StrongScheme::aitken) guess_by_newton(item);
+}
+
+// Under Hamming's formulas the layer of fluid at the wall counts with the mass, as image_of_vertices has it.
+void StrongUnknowns::guess_vertices(Item& item) {
+  Body& body = *item.body;
+  const auto& surface = body.surface;
+  const std::size_t n = surface.positions.size();
+  body.flow_forces.resize(n);
+  body.accelerations.resize(n);
+  const double layer = coupled_.fluid().density * coupled_.flow().grid().mean_spacing();
+  item.vertices = StrongVertices(body, layer, step_);
+  if (item.scheme == StrongScheme::aitken) {
+    item.size = item.vertices.size();
+    values_.resize(item.begin + item.size);
+    item.vertices.write(body, std::span(values_).subspan(item.begin, item.size));
+    return;
+  }
+  std::vector<double> y(6 * n), f(6 * n);
+  pack(surface.positions, surface.velocities, y);
+  pack(surface.velocities, body.accelerations, f);
+  const std::span<const double> kept = body.scheme;
+  const bool continues =
+      kept.size() > y.size() && std::equal(y.begin(), y.end(), kept.end() - static_cast<std::ptrdiff_t>(y.size()));
+  item.hamming = continues ? Hamming::from_state(kept.first(kept.size() - y.size())) : Hamming(y, f);
+  const auto predicted = item.hamming.predict(step_);
+  item.size = y.size();
+  values_.insert(values_.end(), predicted.begin(), predicted.end());
+}
+
+void StrongUnknowns::apply_vertices(Item& item) {
+  Body& body = *item.body;
+  const auto values = part(values_, item.begin, item.size);
+  if (item.scheme == StrongScheme::aitken) {
+    item.vertices.apply(body, *item.kind, coupled_.nodal_surroundings(), values);
+    return;
+  }
+  unpack(values, body.surface);
+  body.pose.center = mean_position(body.surface.positions);
+  pliant::require_finite(body.surface);
+}
+
+void StrongUnknowns::image_of_vertices(Item& item, std::span<double> image) {
+  Body& body = *item.body;
+  if (item.scheme == StrongScheme::aitken) return item.vertices.write(body, image);
+  auto& surface = body.surface;
+  const std::size_t n = surface.positions.size();
+  ShapeState shape(surface.mesh, surface.positions);
+  const auto around = coupled_.nodal_surroundings();
+  find_nodal_forces(body, *item.kind, shape, around.gravity, around.fluid_density, surface.forces);
+  const double layer = around.fluid_density * coupled_.flow().grid().mean_spacing();
+  const auto& start = item.vertices.start_velocities();
+  for (std::size_t v = 0; v < n; ++v) {
+    surface.forces[v] += body.flow_forces[v];
+    const double added = layer * surface.reference_areas[v];
+    const Vec3 inertia = (added / step_) * (surface.velocities[v] - start[v]);
+    body.accelerations[v] =
+        surface.is_pinned(v) ? Vec3{} : (surface.forces[v] + inertia) / (surface.masses[v] + added);
+  }
+  std::vector<double> rates(item.size);
+  pack(surface.velocities, body.accelerations, rates);
+  const auto corrected = item.hamming.correct(rates);
+  std::copy(corrected.begin(), corrected.end(), image.begin());
 }
 
 void StrongUnknowns::guess_by_newton(Item& item) {
@@ -139,6 +226,10 @@ void StrongUnknowns::set_hinge_from_torque(Item& item) {
 void StrongUnknowns::apply() {
   for (Item& item : items_) {
     Body& body = *item.body;
+    if (!item.kind->has_pose()) {
+      apply_vertices(item);
+      continue;
+    }
     const bool hamming = item.scheme == StrongScheme::hamming;
     const auto values = part(values_, item.begin, item.size);
     if (is_rigid(*item.kind)) {
@@ -212,6 +303,10 @@ std::vector<double> StrongUnknowns::image() {
   std::vector<double> image(values_.size());
   for (Item& item : items_) {
     const auto of_item = std::span(image).subspan(item.begin, item.size);
+    if (!item.kind->has_pose()) {
+      image_of_vertices(item, of_item);
+      continue;
+    }
     const auto load = coupled_.load_on(*item.body);
     if (item.scheme == StrongScheme::hamming) image_by_hamming(item, load, of_item);
     else image_by_newton(item, load, of_item);
@@ -222,6 +317,11 @@ std::vector<double> StrongUnknowns::image() {
 double StrongUnknowns::largest_change(const Item& item, std::span<const double> image) const {
   const auto change = [&](std::size_t n) { return std::abs(image[item.begin + n] - values_[item.begin + n]); };
   const bool hamming = item.scheme == StrongScheme::hamming;
+  if (!item.kind->has_pose()) {
+    double largest = 0;
+    for (std::size_t n = hamming ? item.size / 2 : 0; n < item.size; ++n) largest = larger(largest, change(n));
+    return largest;
+  }
   if (!is_rigid(*item.kind)) {
     if (hamming) return item.extent * change(1);
     const auto& [angle, rate] = item.body->hinge;
@@ -242,6 +342,11 @@ double StrongUnknowns::largest_change(std::span<const double> image) const {
 }
 
 double StrongUnknowns::largest_velocity(const Item& item) const {
+  if (!item.kind->has_pose()) {
+    double largest = 0;
+    for (const Vec3& velocity : item.body->surface.velocities) largest = std::max(largest, norm(velocity));
+    return largest;
+  }
   if (!is_rigid(*item.kind)) return item.extent * std::abs(item.body->hinge.rate);
   const auto& pose = item.body->pose;
   double largest = 0;
@@ -273,6 +378,13 @@ void StrongUnknowns::accept_hamming(Item& item) {
   Body& body = *item.body;
   item.hamming.accept();
   std::vector<double> y(item.size);
+  if (!item.kind->has_pose()) {
+    unpack(item.hamming.value(), body.surface);
+    pack(body.surface.positions, body.surface.velocities, y);
+    body.scheme = item.hamming.state();
+    body.scheme.insert(body.scheme.end(), y.begin(), y.end());
+    return;
+  }
   if (is_rigid(*item.kind)) {
     body.pose = unpack_rigid(item.hamming.value());
     pack(body.pose, y);

@@ -4,6 +4,7 @@
 
 #include "coupling/coupled_flow.hpp"
 #include "coupling/hamming.hpp"
+#include "coupling/strong_vertices.hpp"
 
 namespace pliant {
 
@@ -13,7 +14,8 @@ namespace pliant {
 /// flow alone would give it: what it makes of that torque, impacts on stops included, is for advance_hinge to say. So a
 /// hinge at a stop is at the stop to the bit, and one that is pressed against it has nothing to iterate on.
 /// By Hamming's formulas they have the whole state. These need smooth motion: a hinge that is at a stop, or may reach
-/// one in the step, takes the step by Newton's law and begins its history anew.
+/// one in the step, takes the step by Newton's law and begins its history anew. Deformable bodies: StrongVertices, or
+/// places and velocities of all vertices under Hamming's formulas.
 class StrongUnknowns {
  public:
   /// Takes down where the rank's strongly coupled bodies are at the start of the step, and guesses their motion at its
@@ -46,6 +48,7 @@ class StrongUnknowns {
     HingeState hinge_image;  // by Newton's law, from the torque that the image stands for
     StrongScheme scheme = StrongScheme::aitken;
     Hamming hamming;
+    StrongVertices vertices;  // of a deformable body
   };
   void guess(Item& item);
   void guess_by_newton(Item& item);
@@ -54,6 +57,9 @@ class StrongUnknowns {
   void set_hinge_from_torque(Item& item);
   double told_torque(const Item& item) const;
   void image_by_newton(Item& item, const RigidLoad& load, std::span<double> image);
+  void guess_vertices(Item& item);
+  void apply_vertices(Item& item);
+  void image_of_vertices(Item& item, std::span<double> image);
   void image_by_hamming(Item& item, const RigidLoad& load, std::span<double> image);
   void accept_hamming(Item& item);
   double largest_change(const Item& item, std::span<const double> image) const;

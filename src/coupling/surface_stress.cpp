@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/error.hpp"
+#include "coupling/forced_vertices.hpp"
 #include "parallel/agree.hpp"
 #include "transfer/point_router.hpp"
 
@@ -13,14 +14,15 @@ namespace {
 
 bool is_asked(const BodyKind& kind, StressOf which) {
   if (!kind.acts_on_flow() || kind.config.traction.form == TractionForm::none) return false;
-  return which == StressOf::all || (kind.is_free() && kind.config.loads == LoadSource::probes);
+  return which == StressOf::all || kind.is_driven_by_probes();
 }
 
-void set_sites_of(Body& body) {
+void set_sites_of(Body& body, const BodyKind& kind) {
   const auto& surface = body.surface;
   std::vector<Vec3> accelerations(surface.positions.size());
   for (std::size_t v = 0; v < accelerations.size(); ++v)
-    accelerations[v] = acceleration_at(body.pose, body.acceleration, surface.positions[v]);
+    if (kind.has_pose()) accelerations[v] = acceleration_at(body.pose, body.acceleration, surface.positions[v]);
+    else if (!body.accelerations.empty()) accelerations[v] = body.accelerations[v];
   set_sites(surface.mesh, surface.positions, surface.velocities, accelerations, body.sites);
 }
 
@@ -50,7 +52,7 @@ void find_stresses(Bodies& bodies, const FlowSampler& flow, const Grid& grid, Ve
     Body& body = own[b];
     const auto& kind = bodies.kind_of(body);
     if (!is_asked(kind, which)) continue;
-    set_sites_of(body);
+    set_sites_of(body, kind);
     probe_points(body.sites, kind.probes, of_body);
     const auto outside = box.first_outside(of_body);
     if (outside < of_body.size()) {
@@ -76,6 +78,8 @@ void find_stresses(Bodies& bodies, const FlowSampler& flow, const Grid& grid, Ve
     auto probes = bodies.kind_of(body).probes;
     probes.body_force = driving;
     evaluate_probes(body.sites, probes, std::span(samples).subspan(a.begin, a.end - a.begin), body.stresses);
+    if (const auto& kind = bodies.kind_of(body); !kind.has_pose() && kind.is_driven_by_probes())
+      adopt_probe_forces(body);
     body.loads.probes = total_load(body.sites.positions, body.stresses.forces, body.pose.center);
   }
 }

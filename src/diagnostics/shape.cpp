@@ -2,10 +2,12 @@
 
 #include <Eigen/Eigenvalues>
 #include <cmath>
+#include <limits>
 
 #include "core/angles.hpp"
 #include "mesh/geometry.hpp"
 #include "structure/advance_vertices.hpp"
+#include "structure/body_forces.hpp"
 
 namespace pliant {
 
@@ -33,9 +35,32 @@ EllipsoidFit fit_ellipsoid(const TriangleMesh& mesh, std::span<const Vec3> posit
   return fit;
 }
 
+namespace {
+
+/// An open surface encloses nothing: its centroid is that of its area, and it has no ellipsoid.
+EllipsoidFit centroid_of_sheet(const TriangleMesh& mesh, std::span<const Vec3> positions) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  EllipsoidFit fit;
+  const auto areas = vertex_areas(mesh, positions);
+  double area = 0;
+  for (std::size_t v = 0; v < areas.size(); ++v) {
+    fit.centroid += areas[v] * positions[v];
+    area += areas[v];
+  }
+  fit.centroid = fit.centroid / area;
+  fit.length = fit.breadth = fit.width = fit.angle = none;
+  return fit;
+}
+
+}  // namespace
+
 BodyShape measure_shape(const DeformableBody& body) {
-  return {fit_ellipsoid(body.mesh, body.positions), total_area(body.mesh, body.positions), kinetic_energy(body),
-          body.potentials.energies(body.mesh, body.positions)};
+  const bool is_closed = body.mesh.is_closed();
+  BodyShape shape{is_closed ? fit_ellipsoid(body.mesh, body.positions) : centroid_of_sheet(body.mesh, body.positions),
+                  total_area(body.mesh, body.positions), kinetic_energy(body),
+                  body.potentials.energies(body.mesh, body.positions)};
+  if (body.attachments.any()) shape.energies.emplace_back("attachments", attachment_energy(body, body.positions));
+  return shape;
 }
 
 }  // namespace pliant

@@ -21,10 +21,10 @@ EllipsoidFit fit_ellipsoid(const TriangleMesh& mesh, std::span<const Vec3> posit
 
 /// One line of a body's record.
 struct BodyShape {
-  EllipsoidFit ellipsoid;
+  EllipsoidFit ellipsoid;  ///< of an open surface: the centroid of its area alone
   double area = 0;
   double kinetic_energy = 0;
-  std::vector<std::pair<std::string, double>> energies;  ///< of each potential
+  std::vector<std::pair<std::string, double>> energies;  ///< of each potential, and of attachments
 };
 BodyShape measure_shape(const DeformableBody& body);
 

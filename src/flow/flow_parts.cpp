@@ -25,6 +25,7 @@ FlowParts::FlowParts(const Grid& g, const FlowParameters& p)
       history_u(g),
       history_v(g),
       history_w(g),
+      momentum_fluxes(g),
       phi(g, 1),
       rules{velocity_rules(p.boundary, 0), velocity_rules(p.boundary, 1), velocity_rules(p.boundary, 2)},
       rules_p(pressure_rules(p.boundary)),
@@ -54,10 +55,14 @@ HelmholtzAdi* FlowParts::begin_viscous(const Substep& s, double dt) {
   return solve;
 }
 
-void FlowParts::begin_viscous_row(HelmholtzAdi* solve, const VelocityPlane<double>& rows, int j, int k) {
-  solve[0].begin_row(rows.u.at_row(j), j, k);
-  solve[1].begin_row(rows.v.at_row(j), j, k);
-  solve[2].begin_row(rows.w.at_row(j), j, k);
+void FlowParts::begin_viscous_row(HelmholtzAdi* solve, const VelocityFields& predicted, const MomentumInput& old, int j,
+                                  int k) {
+  const auto begin = [&](HelmholtzAdi& one, auto field, const auto& planes) {
+    one.begin_row(field.at_row(j, k), field.at_row(j, k + 1), old_planes(planes), j, k);
+  };
+  begin(solve[0], predicted.u.view(), old.u);
+  begin(solve[1], predicted.v.view(), old.v);
+  begin(solve[2], predicted.w.view(), old.w);
 }
 
 void FlowParts::end_viscous_plane(HelmholtzAdi* solve, const VelocityFields& predicted, const MomentumInput& old,
@@ -70,22 +75,37 @@ void FlowParts::end_viscous_plane(HelmholtzAdi* solve, const VelocityFields& pre
   end(solve[2], predicted.w.view(), old.w);
 }
 
-void FlowParts::finish_viscous(HelmholtzAdi* solve, const VelocityFields& predicted) {
-  {
-    const auto scope = timer.measure("viscous coupling of slabs");
-    for (int c = 0; c < 3; ++c) solve[c].couple();
-  }
+void FlowParts::couple_viscous(HelmholtzAdi* solve) {
+  const auto scope = timer.measure("viscous coupling of slabs");
+  for (int c = 0; c < 3; ++c) solve[c].couple();
+  unfinished = solve;
+}
+
+void FlowParts::finish_viscous(const VelocityFields& predicted) {
+  if (unfinished == nullptr) return;
   const auto scope = timer.measure("viscous solves");
-  const auto finish = [](HelmholtzAdi& one, auto field, int k) {
-    one.finish_plane(field.at_row(0, k), field.at_row(0, k - 1), k);
-  };
-  for (int k = 0; k < grid.nz(); ++k) {
-    finish(solve[0], predicted.u.view(), k);
-    finish(solve[1], predicted.v.view(), k);
-    finish(solve[2], predicted.w.view(), k);
-    // The plane above reads no ghosts of this one.
-    fill_plane(predicted, k);
+  for (int k = 0; k < grid.nz(); ++k) finish_viscous_plane(predicted, k, [](int) {});
+  unfinished = nullptr;
+}
+
+// visit(j) comes when row j and the ones beside it are there: those at the sides after all others.
+template <class Visit>
+void FlowParts::finish_viscous_plane(const VelocityFields& predicted, int k, Visit visit) const {
+  const auto u = predicted.u.view();
+  const auto v = predicted.v.view();
+  const auto w = predicted.w.view();
+  const VelocityPlane<double> plane{u.at_plane(k), v.at_plane(k), w.at_plane(k)};
+  const int last = grid.ny() - 1;
+  for (int j = 0; j <= last; ++j) {
+    unfinished[0].finish_row(u.at_row(j, k), u.at_row(j, k - 1), j, k);
+    unfinished[1].finish_row(v.at_row(j, k), v.at_row(j, k - 1), j, k);
+    unfinished[2].finish_row(w.at_row(j, k), w.at_row(j, k - 1), j, k);
+    fill_row(plane, j, k);
+    if (0 < j && j < last) visit(j);
   }
+  fill_rows_beyond(plane, k);
+  visit(0);
+  if (last > 0) visit(last);
 }
 
 void FlowParts::fill_plane(const VelocityFields& velocity, int k) const {
@@ -147,10 +167,12 @@ double FlowParts::begin_projection(const VelocityFields& predicted, double dt_al
   double rate = 0;
   for (int k = 0; k < grid.nz(); ++k) {
     const DivergenceRows divergence(grid, u, v, w, scale, phi.view().at_plane(k), k);
-    for_rows(grid.ny(), divergence);
+    if (unfinished != nullptr) finish_viscous_plane(predicted, k, divergence);
+    else for_rows(grid.ny(), divergence);
     if (wants_rate) rate = convective_rate(grid, u, v, w, k, rate);
     poisson.begin_plane(phi.view(), k);
   }
+  unfinished = nullptr;
   return rate;
 }
 

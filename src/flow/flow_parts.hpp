@@ -35,6 +35,7 @@ struct FlowParts {
   Field<FaceX> history_u;  // explicit terms of the last substep
   Field<FaceY> history_v;
   Field<FaceZ> history_w;
+  FluxRows momentum_fluxes;
   Field<Center> phi;  // pressure increment
   std::array<FieldRules, 3> rules;
   FieldRules rules_p;
@@ -43,19 +44,32 @@ struct FlowParts {
   PoissonSolver poisson;
   std::vector<HelmholtzAdi> adi;  // [substep][component]; empty if all terms are explicit
   PhaseTimer timer;
+  HelmholtzAdi* unfinished = nullptr;  // the viscous solves whose substitution is left
 
   VelocityFields state_velocity() { return {state.u, state.v, state.w}; }
   bool is_implicit() const { return !adi.empty(); }
   CorrectionTerms correction_terms() const;
 
+  /// Adds the forces at rows j_begin to j_end - 1 of plane k to right-hand sides.
+  static void add_forces(NodalForces& forces, const MomentumFactors& factors, const VelocityPlane<double>& rows,
+                         int j_begin, int j_end, int k) {
+    for (int j = j_begin; j < j_end; ++j)
+      forces.take_row(factors.dt_alpha, rows.u.at_row(j), rows.v.at_row(j), rows.w.at_row(j), j, k);
+  }
+
   /// The three implicit solves of a substep, made ready.
   HelmholtzAdi* begin_viscous(const Substep& s, double dt);
-  /// Row j of the right-hand sides of plane k goes into the solves.
-  static void begin_viscous_row(HelmholtzAdi* solve, const VelocityPlane<double>& rows, int j, int k);
+  /// Row j of the right-hand sides of plane k goes into the solves; plane k + 1 is as end_viscous_plane() left it.
+  static void begin_viscous_row(HelmholtzAdi* solve, const VelocityFields& predicted, const MomentumInput& old, int j,
+                                int k);
   /// The plane is complete; `predicted` is the whole field and holds plane k + 1 as this left it.
   void end_viscous_plane(HelmholtzAdi* solve, const VelocityFields& predicted, const MomentumInput& old, int k) const;
-  /// After all planes: from the lowest upwards to the predicted velocity, with the ghosts in the planes. Collective.
-  void finish_viscous(HelmholtzAdi* solve, const VelocityFields& predicted);
+  /// After all planes. What is left is the substitution from the lowest plane upwards. Collective.
+  void couple_viscous(HelmholtzAdi* solve);
+  /// Makes it, if it is left, and fills the ghosts in the planes.
+  void finish_viscous(const VelocityFields& predicted);
+  /// True if begin_projection() may make it on its way: no rank wants the highest plane before.
+  bool may_finish_late() const { return !poisson.is_coupled(); }
 
   void fill_plane(const VelocityFields& velocity, int k) const;  ///< x and y ghosts
   /// The same in parts: x ghosts of a row, and the ghost rows of a plane whose rows are complete.
@@ -72,6 +86,10 @@ struct FlowParts {
   double begin_projection(const VelocityFields& predicted, double dt_alpha, bool wants_rate);
 
   std::size_t bytes() const;
+
+ private:
+  template <class Visit>
+  void finish_viscous_plane(const VelocityFields& predicted, int k, Visit visit) const;
 };
 
 /// One way through the fields.
@@ -80,7 +98,7 @@ class FlowSweeps {
   virtual ~FlowSweeps() = default;
   /// From the state at the beginning of the substep to the predicted velocity, with the ghosts that the projection
   /// and `ends` want. Collective.
-  virtual void predict(const Substep& s, const MomentumFactors& factors, double dt) = 0;
+  virtual void predict(const Substep& s, const MomentumFactors& factors, double dt, NodalForces* forces) = 0;
   virtual VelocityFields predicted() = 0;
   /// Which ghost planes predicted() must have before it is projected.
   virtual GhostPlanes wanted_ends() const = 0;

@@ -38,7 +38,7 @@ struct FlowSolver::Impl : FlowParts {
   }
 
   VelocityViews velocity() { return {state.u.view(), state.v.view(), state.w.view()}; }
-  void predict(const Substep& s, double dt);
+  void predict(const Substep& s, double dt, bool wanted_by_hook, NodalForces* forces);
   void hold_bulk_velocity();
   // The state has changed by other means than a step.
   void forget_rate() { rate = unknown; }
@@ -50,10 +50,12 @@ struct FlowSolver::Impl : FlowParts {
   double rate = unknown;  // convective, of the velocity predicted last; over all ranks
 };
 
-void FlowSolver::Impl::predict(const Substep& s, double dt) {
+void FlowSolver::Impl::predict(const Substep& s, double dt, bool wanted_by_hook, NodalForces* forces) {
   const MomentumFactors factors{dt * s.gamma, dt * s.rho, dt * s.alpha, parameters.viscosity,
                                 parameters.forcing.acceleration};
-  sweeps->predict(s, factors, dt);
+  sweeps->predict(s, factors, dt, forces);
+  const bool wants_all = wanted_by_hook || parameters.forcing.bulk_velocity;
+  if (wants_all || !may_finish_late()) finish_viscous(sweeps->predicted());
   if (parameters.forcing.bulk_velocity) hold_bulk_velocity();
 }
 
@@ -150,7 +152,7 @@ void FlowSolver::project_initial() {
   m.forget_rate();
 }
 
-void FlowSolver::advance(double dt, const PredictedFlowHook& hook) {
+void FlowSolver::advance(double dt, const FlowHooks& hooks) {
   auto& m = *impl_;
   m.forcing_of_step = 0;
   double elapsed = 0, rate = 0;
@@ -161,15 +163,20 @@ void FlowSolver::advance(double dt, const PredictedFlowHook& hook) {
       settle();  // what flows out depends on the corrected velocity at the sides
       m.open.advance(m.velocity(), m.time + elapsed, s.alpha * dt);
     }
-    m.predict(s, dt);
+    if (hooks.before) hooks.before(s, dt);
+    m.predict(s, dt, hooks.predicted != nullptr, hooks.forces);
     const auto predicted = m.sweeps->predicted();
-    m.fill_predicted_ends(predicted, hook ? GhostPlanes::both : m.sweeps->wanted_ends());
-    if (hook) {
-      hook(s, dt, predicted.u.view(), predicted.v.view(), predicted.w.view());
+    m.fill_predicted_ends(predicted, hooks.predicted ? GhostPlanes::both : m.sweeps->wanted_ends());
+    if (hooks.predicted) {
+      hooks.predicted(s, dt, predicted.u.view(), predicted.v.view(), predicted.w.view());
       for (int k = 0; k < m.grid.nz(); ++k) m.fill_plane(predicted, k);
       m.fill_predicted_ends(predicted, m.sweeps->wanted_ends());
     }
     rate = m.sweeps->project({s.alpha * dt, 0.5 * s.alpha * dt * m.parameters.viscosity}, l == 2);
+    if (hooks.corrected) {
+      settle();
+      hooks.corrected(s, dt);
+    }
   }
   m.rate = m.grid.ranks().max(rate);
   m.forcing_of_step /= dt;

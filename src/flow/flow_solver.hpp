@@ -40,6 +40,23 @@ struct Substep {
 /// predicted velocity.
 using PredictedFlowHook = std::function<void(const Substep&, double dt, View<FaceX>, View<FaceY>, View<FaceZ>)>;
 
+/// Forces at nodes that enter the right-hand sides of the predicted velocity, before the viscous solves.
+class NodalForces {
+ public:
+  virtual ~NodalForces() = default;
+  /// Adds `factor` times the force per unit mass to row j of plane k of u, v and w, and forgets it: every row of the
+  /// slab is asked for once a substep.
+  virtual void take_row(double factor, double* u, double* v, double* w, int j, int k) = 0;
+};
+
+/// Those who act on the flow within a step.
+struct FlowHooks {
+  PredictedFlowHook predicted;                                ///< between prediction and projection
+  std::function<void(const Substep&, double dt)> before;      ///< a substep begins
+  std::function<void(const Substep&, double dt)> corrected;   ///< it ends: state() is the flow at its end
+  NodalForces* forces = nullptr;                              ///< set by `before`
+};
+
 /// What the flow solver needs to know of a case.
 struct FlowParameters {
   double density = 1.0;
@@ -89,7 +106,9 @@ class FlowSolver {
   double largest_side_rate(double end) const;
 
   /// One full step. Collective. Leaves the divergence at round-off and all ghosts filled.
-  void advance(double dt, const PredictedFlowHook& hook = nullptr);
+  void advance(double dt, const PredictedFlowHook& hook = nullptr) { advance(dt, FlowHooks{hook, {}, {}, nullptr}); }
+  /// With hooks.corrected every substep is settled, which costs a pass more.
+  void advance(double dt, const FlowHooks& hooks);
 
   /// max over cells of |u|/dx + |v|/dy + |w|/dz: the Courant number is dt times this. Collective.
   double convective_rate() const;

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "core/loops.hpp"
-
 namespace pliant {
 namespace {
 
@@ -14,12 +12,6 @@ void copy_row(ConstPlane<Location> from, Plane<Location> to, int j, int nx) {
 
 VelocityPlane<double> planes_of(FlowState& state, int k) {
   return {state.u.view().at_plane(k), state.v.view().at_plane(k), state.w.view().at_plane(k)};
-}
-
-void prefetch(const VelocityPlane<double>& f, int j, int nx) {
-  prefetch_row(f.u.at_row(j), nx);
-  prefetch_row(f.v.at_row(j), nx);
-  prefetch_row(f.w.at_row(j), nx);
 }
 
 }  // namespace
@@ -146,23 +138,27 @@ void FusedSweeps::make_plane_below_bottom() {
   extend(w_[-1], w_[0], m.rules[2][4]);
 }
 
-// What row j + 1 of plane k will want, from memory and from the outer caches: a fifth of the sweep's time.
-void FusedSweeps::prefetch_for_next_row(int j, int k) const {
+// What row j + 1 of plane k will want, and the correction of row j + 2 below it.
+RowsAhead FusedSweeps::ahead_of_row(int j, int k) const {
   auto& m = parts_;
-  const int nx = m.grid.nx();
-  prefetch(planes_of(m.state, k), j + 1, nx);
-  prefetch(ring(k + 1), j + 1, nx);
-  prefetch_row(m.history_u.view().at_row(j + 1, k), nx);
-  prefetch_row(m.history_v.view().at_row(j + 1, k), nx);
-  prefetch_row(m.history_w.view().at_row(j + 1, k), nx);
-  if (j + 2 >= m.grid.ny()) return;
-  prefetch(ring(k), j + 2, nx);
-  if (k == 0) return;
-  prefetch(planes_of(m.state, k - 1), j + 2, nx);
-  prefetch_row(m.state.p.view().at_row(j + 2, k - 1), nx);
+  RowsAhead ahead;
+  const auto add = [&](const VelocityPlane<double>& f, int row) {
+    ahead.add(f.u.at_row(row)), ahead.add(f.v.at_row(row)), ahead.add(f.w.at_row(row));
+  };
+  const auto p = m.state.p.view();
+  add(planes_of(m.state, k), j + 1);
+  add({m.history_u.view().at_plane(k), m.history_v.view().at_plane(k), m.history_w.view().at_plane(k)}, j + 1);
+  add(ring(k + 1), j + 1);
+  ahead.add(p.at_row(j + 1, k + 1));
+  const int next = std::min(j + 2, m.grid.ny()), below = std::max(k - 1, 0);
+  add(ring(k), next);
+  ahead.add(p.at_row(next, k));
+  add(planes_of(m.state, below), next);
+  ahead.add(p.at_row(next, below));
+  return ahead;
 }
 
-void FusedSweeps::predict(const Substep& s, const MomentumFactors& factors, double dt) {
+void FusedSweeps::predict(const Substep& s, const MomentumFactors& factors, double dt, NodalForces* forces) {
   auto& m = parts_;
   const int nz = m.grid.nz(), ny = m.grid.ny();
   if (pending_) find_increment();
@@ -177,12 +173,13 @@ void FusedSweeps::predict(const Substep& s, const MomentumFactors& factors, doub
       phi_.at(std::max(m.correction_terms() == CorrectionTerms::none ? k - 1 : k - 2, -1));
     }
     const VelocityPlane<double> out = planes_of(m.state, k);
+    const MomentumInput old = input(k);
     {
       const auto scope = m.timer.measure("correction and momentum");
-      const MomentumRows momentum(m.grid, m.parameters.viscous, history_use(s), factors, input(k),
+      const MomentumRows momentum(m.grid, m.parameters.viscous, history_use(s), factors, old,
                                   {out.u, out.v, out.w, m.history_u.view().at_plane(k), m.history_v.view().at_plane(k),
                                    m.history_w.view().at_plane(k)},
-                                  k);
+                                  m.momentum_fluxes, k);
       std::optional<OldRows> below;
       if (k > 0) {
         below.emplace(*this, ring(k - 1), k - 1);
@@ -193,9 +190,9 @@ void FusedSweeps::predict(const Substep& s, const MomentumFactors& factors, doub
       for (int j = 0; j < ny; ++j) {
         if (below && j + 1 < ny) below->row(j + 1);
         if (below && j + 1 == ny) below->ghost_rows();
-        prefetch_for_next_row(j, k);
-        momentum(j);
-        if (solve != nullptr) FlowParts::begin_viscous_row(solve, out, j, k);
+        momentum(j, ahead_of_row(j, k));
+        if (forces != nullptr) FlowParts::add_forces(*forces, factors, out, j, j + 1, k);
+        if (solve != nullptr) FlowParts::begin_viscous_row(solve, predicted(), old, j, k);
         else m.fill_row(out, j, k);
       }
       if (solve == nullptr) {
@@ -204,10 +201,10 @@ void FusedSweeps::predict(const Substep& s, const MomentumFactors& factors, doub
       }
     }
     const auto scope = m.timer.measure("viscous solves");
-    m.end_viscous_plane(solve, predicted(), input(k), k);
+    m.end_viscous_plane(solve, predicted(), old, k);
   }
   pending_.reset();
-  if (solve != nullptr) m.finish_viscous(solve, predicted());
+  if (solve != nullptr) m.couple_viscous(solve);
 }
 
 double FusedSweeps::project(const CorrectionFactors& factors, bool wants_rate) {

@@ -19,7 +19,7 @@ class FusedSweeps : public FlowSweeps {
   /// sweeps_in_use() says where this is possible.
   explicit FusedSweeps(FlowParts& parts);
 
-  void predict(const Substep& s, const MomentumFactors& factors, double dt) override;
+  void predict(const Substep& s, const MomentumFactors& factors, double dt, NodalForces* forces) override;
   VelocityFields predicted() override { return parts_.state_velocity(); }
   GhostPlanes wanted_ends() const override;
   double project(const CorrectionFactors& factors, bool wants_rate) override;
@@ -37,7 +37,7 @@ class FusedSweeps : public FlowSweeps {
   void make_plane_above_top();
   void make_plane_below_bottom();
   MomentumInput input(int k) const;
-  void prefetch_for_next_row(int j, int k) const;
+  RowsAhead ahead_of_row(int j, int k) const;
 
   FlowParts& parts_;
   PoissonPlanes phi_;

@@ -68,11 +68,11 @@ void HelmholtzAdi::set_coefficient(double a) {
 // The w faces on the upper side.
 bool HelmholtzAdi::is_known_plane(int k) const { return component_ == 2 && grid_.has_top() && k == grid_.nz() - 1; }
 
-void HelmholtzAdi::begin_row(double* row, int j, int k) {
+void HelmholtzAdi::begin_row(double* row, const double* before, const OldPlanes& old, int j, int k) {
   const int nx = grid_.nx();
   if (is_known_plane(k) || (rules_[2].kind == SideRule::Kind::face && j == grid_.ny() - 1)) std::fill_n(row, nx, 0.0);
   if (rules_[0].kind == SideRule::Kind::face) row[nx - 1] = 0;
-  if (directions_ == Directions::z) return;
+  if (directions_ == Directions::z) return eliminate_row(row, before, old, j, k);
   add_x_changes(row, j, k);
   x_.solve(row);
   add_y_changes(row, j, k);
@@ -80,20 +80,21 @@ void HelmholtzAdi::begin_row(double* row, int j, int k) {
 }
 
 void HelmholtzAdi::end_plane(double* plane, const double* before, const OldPlanes& old, int k) {
+  if (directions_ == Directions::z) return;
   const int nx = grid_.nx(), ny = grid_.ny(), n = y_.unknowns();
-  const bool in_plane = directions_ == Directions::all;
-  if (in_plane && n > 0) y_.turn(plane + (n - 1) * stride_, nx, work_.data());
+  if (n > 0) y_.turn(plane + (n - 1) * stride_, nx, work_.data());
   // A row is wanted by the y line below it, so it enters the z lines one row later.
   for (int j = ny - 1; j >= -1; --j) {
-    if (in_plane && j >= 0 && j < n)
-      y_.backward_row(j, plane + j * stride_, plane + (j + 1) * stride_, nx, work_.data());
+    if (j >= 0 && j < n) y_.backward_row(j, plane + j * stride_, plane + (j + 1) * stride_, nx, work_.data());
     const int done = j + 1;
-    if (done == ny) continue;
-    double* row = plane + done * stride_;
-    const std::ptrdiff_t at = done * old.stride;
-    add_z_changes(row, done, k);
-    z_.eliminate_row_added(k, done, row, before + done * stride_, old.below + at, old.here + at, old.above + at);
+    if (done < ny) eliminate_row(plane + done * stride_, before + done * stride_, old, done, k);
   }
+}
+
+void HelmholtzAdi::eliminate_row(double* row, const double* before, const OldPlanes& old, int j, int k) {
+  add_z_changes(row, j, k);
+  const std::ptrdiff_t at = j * old.stride;
+  z_.eliminate_row_added(k, j, row, before, old.below + at, old.here + at, old.above + at);
 }
 
 // The known increments beside the first and last unknown of a line go to its right-hand side.

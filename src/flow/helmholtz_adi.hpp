@@ -21,8 +21,8 @@ struct OldPlanes {
 /// boundary rules. The z lines are solved for u* itself, (1 - a Lz) u* = g' + (1 - a Lz) u, so that no increments are
 /// kept. Factors are kept for as long as `a` stays.
 ///
-/// Use: for planes k descending, begin_row for all rows j ascending, then end_plane; couple; then finish_plane for k
-/// ascending.
+/// Use: for planes k descending, begin_row for all rows j ascending, then end_plane; couple; then finish_row for all
+/// rows of planes k ascending.
 class HelmholtzAdi {
  public:
   enum class Directions { z, all };
@@ -37,14 +37,15 @@ class HelmholtzAdi {
   /// Lets the values on open sides change by this much in the present substep. The views must stay valid.
   void set_side_changes(const SideChanges& changes) { changes_ = changes; }
 
-  /// x solve of row j of plane k, and the elimination of the y lines, if asked for.
-  void begin_row(double* row, int j, int k);
-  /// The rest of the y lines and the elimination of the z lines; `before` is plane k + 1 as this left it.
+  /// x solve of row j of plane k and the elimination of the y lines; or, if z lines are all that is asked for, their
+  /// elimination. `before` is plane k + 1 as this left it.
+  void begin_row(double* row, const double* before, const OldPlanes& old, int j, int k);
+  /// The rest of the y lines and the elimination of the z lines, if that is not done.
   void end_plane(double* plane, const double* before, const OldPlanes& old, int k);
   /// Collective, after all planes.
   void couple() { z_.couple(); }
-  /// z substitution; `before` is plane k - 1 as this left it.
-  void finish_plane(double* plane, const double* before, int k) { z_.substitute(k, plane, before); }
+  /// z substitution of row j of plane k; `before` is the row of plane k - 1 as this left it.
+  void finish_row(double* row, const double* before, int j, int k) { z_.substitute_row(k, j, row, before, row); }
 
   std::size_t bytes() const { return z_.bytes() + work_.size() * sizeof(double); }
 
@@ -53,6 +54,7 @@ class HelmholtzAdi {
   void add_y_changes(double* row, int j, int k) const;
   void add_z_changes(double* row, int j, int k) const;
   bool is_known_plane(int k) const;
+  void eliminate_row(double* row, const double* before, const OldPlanes& old, int j, int k);
 
   Grid grid_;
   FieldRules rules_;

@@ -1,5 +1,6 @@
 #pragma once
 #include "config/case_config.hpp"
+#include "core/prefetch.hpp"
 #include "field/field.hpp"
 
 namespace pliant {
@@ -44,6 +45,20 @@ struct MomentumOutput {
   Plane<FaceZ> history_w;
 };
 
+/// What passes from a row of cells to the next row in y, for the three components: found once, used on both sides.
+class FluxRows {
+ public:
+  struct Rows {
+    double *u, *v, *w;
+  };
+  explicit FluxRows(const Grid& grid);
+  Rows rows() { return {memory_.get(), memory_.get() + row_, memory_.get() + 2 * row_}; }
+
+ private:
+  std::ptrdiff_t row_;
+  AlignedDoubles memory_;
+};
+
 /// Right-hand side of the predicted velocity, all three components, row by row of one plane.
 ///
 /// explicit_rk3:  out = u + dt [gamma H + rho H_old] + dt alpha (g - grad p),       H = -div(u u) + nu L u
@@ -58,28 +73,32 @@ class MomentumRows {
   /// The constants of a plane, by value for the row kernels.
   struct Constants {
     double dt_gamma, dt_rho, dt_alpha;
-    double x, y;                    // 1/4 of the inverse spacings: fluxes are products of two sums
-    double grad_x, grad_y, grad_z;  // dt alpha over the spacing
-    double visc_x, visc_y;          // nu over the square of the spacing
-    double cell_z;                  // 1/4 over the thickness of the u and v cells
-    double visc_z_up, visc_z_down;
-    double face_z;  // 1/4 over the thickness of the w cell
-    double visc_w_up, visc_w_down;
+    double x, y;                     // 1/4 of the inverse spacings: fluxes are products of two sums
+    double visc_x, visc_y;           // nu over the square of the spacing
     double weight_low, weight_high;  // of the two cells that a w cell spans; they sum to 1
-    Vec3 push;                       // dt alpha times the acceleration
+    struct OfComponent {
+      double z;                   // 1/4 over the thickness of the component's cells
+      double visc_up, visc_down;  // nu over that thickness and the distance
+      double gradient;            // dt alpha over the spacing
+      double push;                // dt alpha times the acceleration
+    } u, v, w;
   };
 
   MomentumRows(const Grid& grid, ViscousMode mode, HistoryUse history, const MomentumFactors& factors,
-               const MomentumInput& in, const MomentumOutput& out, int k);
-  /// Reads rows j - 1, j and j + 1 of the input; of the planes below and above j, of w below also j + 1, of v above
-  /// also j - 1.
-  void operator()(int j) const { row_(constants_, in_, out_, nx_, j); }
+               const MomentumInput& in, const MomentumOutput& out, FluxRows& fluxes, int k);
+  /// Ascending from j = 0. Reads rows j - 1, j and j + 1 of the input; of the planes below and above j, of w below also
+  /// j + 1, of v above also j - 1.
+  /// Begins to load the rows `ahead` on the way.
+  void operator()(int j, const RowsAhead& ahead) const { row_(constants_, in_, out_, fluxes_, ahead, nx_, j); }
+  void operator()(int j) const { operator()(j, RowsAhead(in_.p.at_row(j))); }
 
  private:
-  using Row = void (*)(const Constants&, const MomentumInput&, const MomentumOutput&, int nx, int j);
+  using Row = void (*)(const Constants&, const MomentumInput&, const MomentumOutput&, const FluxRows::Rows&,
+                       const RowsAhead&, int nx, int j);
   Constants constants_;
   MomentumInput in_;
   MomentumOutput out_;
+  FluxRows::Rows fluxes_;
   int nx_;
   Row row_;
 };

@@ -4,7 +4,7 @@ namespace pliant {
 
 PlainSweeps::PlainSweeps(FlowParts& parts) : parts_(parts), u_(parts.grid), v_(parts.grid), w_(parts.grid) {}
 
-void PlainSweeps::predict(const Substep& s, const MomentumFactors& factors, double dt) {
+void PlainSweeps::predict(const Substep& s, const MomentumFactors& factors, double dt, NodalForces* forces) {
   auto& m = parts_;
   HelmholtzAdi* solve = m.is_implicit() ? m.begin_viscous(s, dt) : nullptr;
   for (int k = m.grid.nz() - 1; k >= 0; --k) {
@@ -17,18 +17,21 @@ void PlainSweeps::predict(const Substep& s, const MomentumFactors& factors, doub
       const MomentumRows momentum(m.grid, m.parameters.viscous, history_use(s), factors, in,
                                   {out.u, out.v, out.w, m.history_u.view().at_plane(k), m.history_v.view().at_plane(k),
                                    m.history_w.view().at_plane(k)},
-                                  k);
+                                  m.momentum_fluxes, k);
       for_rows(m.grid.ny(), momentum);
+      if (forces != nullptr) FlowParts::add_forces(*forces, factors, out, 0, m.grid.ny(), k);
     }
     if (solve == nullptr) {
       m.fill_plane(predicted(), k);
     } else {
       const auto scope = m.timer.measure("viscous solves");
-      for (int j = 0; j < m.grid.ny(); ++j) FlowParts::begin_viscous_row(solve, out, j, k);
+      for (int j = 0; j < m.grid.ny(); ++j) FlowParts::begin_viscous_row(solve, predicted(), in, j, k);
       m.end_viscous_plane(solve, predicted(), in, k);
     }
   }
-  if (solve != nullptr) m.finish_viscous(solve, predicted());
+  if (solve == nullptr) return;
+  m.couple_viscous(solve);
+  m.finish_viscous(predicted());
 }
 
 double PlainSweeps::project(const CorrectionFactors& factors, bool wants_rate) {

@@ -9,7 +9,7 @@ class PlainSweeps : public FlowSweeps {
  public:
   explicit PlainSweeps(FlowParts& parts);
 
-  void predict(const Substep& s, const MomentumFactors& factors, double dt) override;
+  void predict(const Substep& s, const MomentumFactors& factors, double dt, NodalForces* forces) override;
   VelocityFields predicted() override { return {u_, v_, w_}; }
   GhostPlanes wanted_ends() const override { return GhostPlanes::lower; }
   double project(const CorrectionFactors& factors, bool wants_rate) override;

@@ -9,6 +9,8 @@
 #include "potentials/area_penalty.hpp"
 #include "potentials/bending.hpp"
 #include "potentials/edge_springs.hpp"
+#include "potentials/membrane.hpp"
+#include "potentials/pressure.hpp"
 #include "potentials/surface_tension.hpp"
 #include "potentials/volume_penalty.hpp"
 
@@ -16,7 +18,8 @@ namespace pliant {
 
 /// A potential is a parameter struct with `name`, `energy(shape)` and `add_forces(shape, forces)`; to add one, add it
 /// here.
-using Potential = std::variant<EdgeSprings, Bending, VolumePenalty, FaceAreaPenalty, TotalAreaPenalty, SurfaceTension>;
+using Potential = std::variant<EdgeSprings, Membrane, Bending, VolumePenalty, Pressure, FaceAreaPenalty,
+                               TotalAreaPenalty, SurfaceTension>;
 
 /// The potentials of one body; copies share them. Sums run in a fixed order: equal positions give equal bits.
 class PotentialSet {

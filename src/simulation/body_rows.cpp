@@ -53,7 +53,7 @@ void add_motion(const Body& body, const BodyKind& kind, Row& row) {
   row.add("rate", body.hinge.rate);
 }
 
-void add_loads(const Body& body, Row& row) {
+void add_loads(const Body& body, const BodyKind& kind, Row& row) {
   row.add("force", body.loads.balance.force);
   row.add("torque", body.loads.balance.torque);
   row.add("probe_force", body.loads.probes.force);
@@ -62,6 +62,7 @@ void add_loads(const Body& body, Row& row) {
   row.add("slip_rms", body.slip.rms());
   row.add("slip_max", body.slip.largest);
   row.add("flux", body.slip.flux);
+  if (kind.is_soft() && kind.is_closed()) row.add("volume_restored", body.volume_restored);
 }
 
 Row row_of(const Body& body, const BodyKind& kind, long copy, long copies) {
@@ -69,7 +70,7 @@ Row row_of(const Body& body, const BodyKind& kind, long copy, long copies) {
   if (copies > 1) row.add("body", static_cast<double>(copy + 1));
   if (kind.has_pose()) add_motion(body, kind, row);
   else add_shape(body, row);
-  if (kind.acts_on_flow()) add_loads(body, row);
+  if (kind.acts_on_flow()) add_loads(body, kind, row);
   return row;
 }
 

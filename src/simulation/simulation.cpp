@@ -286,7 +286,8 @@ bool Simulation::Impl::is_at_end() const {
 double Simulation::Impl::choose_step() {
   const auto scope = timer.measure("diagnostics");
   const double rate = flow.step_rate();
-  const auto limits = step_limits(config, grid, std::max({rate, side_rate, bodies_rate()}), flow.viscous_step_limit());
+  const auto limits = step_limits(config, grid, std::max({rate, side_rate, bodies_rate()}), flow.viscous_step_limit(),
+                                  coupled->step_limit());
   next_event = std::min(config.time.end, outputs->next_time(now.time));
   const double step = step_towards(limits.smallest(), next_event - now.time);
   if (!(now.time + step > now.time))

@@ -13,7 +13,7 @@ bool is_free(const BodyConfig& body) { return body.motion == MotionKind::rigid |
 }  // namespace
 
 double StepLimits::smallest() const {
-  return std::min({given, convective, acceleration, viscous, maximum, decay, diffusion});
+  return std::min({given, convective, acceleration, viscous, maximum, decay, interfaces, diffusion});
 }
 
 std::string StepLimits::ruling() const {
@@ -23,6 +23,7 @@ std::string StepLimits::ruling() const {
                                                 {viscous, "explicit viscous terms (time.viscous)"},
                                                 {maximum, "the upper bound (time.max_step)"},
                                                 {decay, "viscous decay of the longest wave (time.max_step)"},
+                                                {interfaces, "the stiffness of bodies that move with the flow"},
                                                 {diffusion, "diffusion over a cell, as nothing moves"}};
   return std::min_element(std::begin(all), std::end(all), [](auto& a, auto& b) { return a.first < b.first; })->second;
 }
@@ -43,7 +44,8 @@ double prescribed_rate(const CaseConfig& config, const Grid& grid) {
   return rate;
 }
 
-StepLimits step_limits(const CaseConfig& config, const Grid& grid, double rate, double viscous_limit) {
+StepLimits step_limits(const CaseConfig& config, const Grid& grid, double rate, double viscous_limit,
+                       double body_limit) {
   StepLimits limits;
   const auto& time = config.time;
   if (time.step) {
@@ -59,6 +61,7 @@ StepLimits step_limits(const CaseConfig& config, const Grid& grid, double rate, 
   // Once the flow has speed that is its limit; a force that friction balances must not hold the step down for ever.
   if (surge > 0 && limits.convective > 10 * std::sqrt(time.cfl / surge))
     limits.acceleration = std::sqrt(time.cfl / surge);
+  limits.interfaces = body_limit;
   limits.viscous = viscous_margin * viscous_limit;
   if (time.max_step > 0) limits.maximum = time.max_step;
   const double nu = config.fluid.viscosity / config.fluid.density;

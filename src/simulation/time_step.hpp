@@ -17,6 +17,7 @@ struct StepLimits {
   double viscous = no_limit;       ///< of the explicitly treated viscous terms, with a margin
   double maximum = no_limit;       ///< time.max_step
   double decay = no_limit;         ///< a tenth of the time in which viscosity damps the box's longest wave
+  double interfaces = no_limit;    ///< bodies that move with the flow
   double diffusion = no_limit;     ///< h^2/nu, only where nothing else limits the step
 
   double smallest() const;
@@ -28,7 +29,9 @@ struct StepLimits {
 inline constexpr double viscous_margin = 0.9;
 
 /// The limits for a flow whose convective rate is, or will be, `rate` [1/time]; `viscous_limit` as FlowSolver gives it.
-StepLimits step_limits(const CaseConfig& config, const Grid& grid, double rate, double viscous_limit);
+/// `body_limit` as CoupledFlow gives it.
+StepLimits step_limits(const CaseConfig& config, const Grid& grid, double rate, double viscous_limit,
+                       double body_limit = no_limit);
 
 /// The convective rate that walls, steady inflows and the forcing prescribe before the flow has it.
 double prescribed_rate(const CaseConfig& config, const Grid& grid);

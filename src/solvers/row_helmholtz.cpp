@@ -76,9 +76,9 @@ void RowHelmholtz::solve(double* row) const {
     y += r1 * __builtin_shuffle(y, zero, Lanes{8, 0, 1, 2, 3, 4, 5, 6});
     y += r2 * __builtin_shuffle(y, zero, Lanes{8, 8, 0, 1, 2, 3, 4, 5});
     y += r4 * __builtin_shuffle(y, zero, Lanes{8, 8, 8, 8, 0, 1, 2, 3});
-    y += up * splat(carry);
-    store(row + i, y);
-    carry = y[width - 1];
+    const double last = y[width - 1];
+    store(row + i, y + up * splat(carry));
+    carry = last + up[width - 1] * carry;  // packs wait for each other here alone
   }
   for (int i = whole; i < n_; ++i) row[i] = carry = gain_ * row[i] + r * carry;
 
@@ -89,9 +89,9 @@ void RowHelmholtz::solve(double* row) const {
     x += r1 * __builtin_shuffle(x, zero, Lanes{1, 2, 3, 4, 5, 6, 7, 8});
     x += r2 * __builtin_shuffle(x, zero, Lanes{2, 3, 4, 5, 6, 7, 8, 8});
     x += r4 * __builtin_shuffle(x, zero, Lanes{4, 5, 6, 7, 8, 8, 8, 8});
-    x += down * splat(carry);
-    store(row + i, x);
-    carry = x[0];
+    const double first_of_pack = x[0];
+    store(row + i, x + down * splat(carry));
+    carry = first_of_pack + down[0] * carry;
   }
 
   const double first = row[0], last = row[n_ - 1];

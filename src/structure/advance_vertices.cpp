@@ -17,6 +17,11 @@ void find_free_motion(DeformableBody& body, const VertexLoads& loads, double ste
   mobilities.resize(body.positions.size());
   for (std::size_t v = 0; v < body.positions.size(); ++v) {
     body.forces[v] += loads.forces[v];
+    if (body.is_pinned(v)) {
+      velocities[v] = {};
+      mobilities[v] = 0;
+      continue;
+    }
     const double rate = step / body.masses[v];
     const double slowed = 1.0 / (1.0 + rate * (loads.drag[v] + body.damping));
     velocities[v] = slowed * (body.velocities[v] + rate * (body.forces[v] + loads.drag[v] * loads.flow_velocities[v]));
@@ -30,6 +35,10 @@ void advance_vertices(DeformableBody& body, const ShapeState& shape, const Verte
   find_body_forces(body, shape, body.forces);
   for (std::size_t v = 0; v < body.positions.size(); ++v) {
     body.forces[v] += loads.forces[v];
+    if (body.is_pinned(v)) {
+      body.velocities[v] = {};
+      continue;
+    }
     const double rate = step / body.masses[v];
     const Vec3 driven = body.velocities[v] + rate * (body.forces[v] + loads.drag[v] * loads.flow_velocities[v]);
     body.velocities[v] = driven / (1.0 + rate * (loads.drag[v] + body.damping));

@@ -9,7 +9,8 @@ namespace pliant {
 /// implicit:
 ///   v' = (v + h/m (F_int + F_load + c u)) / (1 + h (c + d)/m),  x' = x + h v'.
 /// Symplectic without drag; with it the final slip is exact for any h. `shape` must hold the body's present positions;
-/// afterwards body.forces are F_int + F_load of the start of the substep, and `shape` must be updated.
+/// afterwards body.forces are F_int + F_load of the start of the substep, and `shape` must be updated. Pinned vertices
+/// stay; their forces are what the pins have to bear.
 void advance_vertices(DeformableBody& body, const ShapeState& shape, const VertexLoads& loads, double step);
 
 /// The same with contact: its forces act over the velocities that a substep would end with without it. `elapsed`: time

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -6,6 +7,8 @@
 #include "config/case_config.hpp"
 #include "mesh/triangle_mesh.hpp"
 #include "potentials/potential_set.hpp"
+#include "structure/attachments.hpp"
+#include "structure/quaternion.hpp"
 
 namespace pliant {
 
@@ -22,10 +25,18 @@ struct DeformableBody {
   std::vector<double> reference_areas;  ///< a third of the area of the faces around the vertex, at the start
   double radius = 0;                    ///< of the sphere of the same volume at the start
   PotentialSet potentials;
-  double damping = 0;            ///< force = -damping * velocity, on every vertex
-  TractionConfig traction;       ///< probe_length filled in
-  std::optional<int> substeps;   ///< as given; else from the stability limit
-  double largest_frequency = 0;  ///< of the internal forces at the start, radians / time; see find_largest_frequency
+  std::vector<std::uint8_t> pinned;  ///< 1: the vertex stays where it is; empty: none does
+  Attachments attachments;           ///< tethers, cords and pulls, in the coordinates of the surface
+  Vec3 origin;                       ///< where the origin of these coordinates is, and how they are turned
+  Quaternion orientation;
+  double damping = 0;               ///< force = -damping * velocity, on every vertex
+  double inner_damping = 0;         ///< force along an edge = -inner_damping * rate of its length
+  TractionConfig traction;          ///< probe_length filled in
+  std::optional<int> substeps;      ///< as given; else from the stability limit
+  double largest_frequency = 0;     ///< of the internal forces at the start, radians / time; infinite without a mass
+  double largest_damping_rate = 0;  ///< of inner damping and tethers, 1 / time; infinite without a mass
+
+  bool is_pinned(std::size_t v) const { return !pinned.empty() && pinned[v] != 0; }
 };
 
 }  // namespace pliant

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "boundary/fill_ghosts.hpp"
 #include "transfer/spread.hpp"
 
 namespace pliant {
@@ -11,7 +10,7 @@ DirectForcing::DirectForcing(const Grid& grid, double density, int iterations)
     : grid_(grid),
       sets_{Set(grid), Set(grid)},
       fields_(grid),
-      halo_(grid.ranks(), grid.is_periodic(2) ? SlabHalo::Ends::periodic : SlabHalo::Ends::bounded, grid.nz()),
+      copies_(grid),
       density_(density),
       iterations_(iterations) {}
 
@@ -52,7 +51,7 @@ void DirectForcing::apply(const Substep& substep, double dt, View<FaceX> u, View
   for (Set& set : sets_)
     if (set.complete) set.along.assign(set.normals.size(), Vec3{});
   for (int n = 0; n < iterations_; ++n) {
-    if (n > 0) refill_ghosts(u, v, w);
+    if (n > 0) copies_.fill(u, v, w);
     force_once(substep.alpha * density_, substep.alpha * dt, u, v, w);
   }
 }
@@ -118,16 +117,6 @@ void DirectForcing::force_sheets(Set& set, double weight, double dt_alpha, View<
     }
   }
   set.markers.for_each_block([&](const StencilBlock& block) { spread(set.markers, block, set.found, fields_); });
-}
-
-// Supports hold no ghosts of bounded sides, so that the copies between ranks and periodic sides are all they need.
-void DirectForcing::refill_ghosts(View<FaceX> u, View<FaceY> v, View<FaceZ> w) {
-  for (int k = 0; k < grid_.nz(); ++k) {
-    fill_periodic_ghosts(u, grid_, k);
-    fill_periodic_ghosts(v, grid_, k);
-    fill_periodic_ghosts(w, grid_, k);
-  }
-  halo_.fill({plane_stack(u), plane_stack(v), plane_stack(w)});
 }
 
 void DirectForcing::add_forces(std::span<Vec3> forces, MarkerGroup group) const {

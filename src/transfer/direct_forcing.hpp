@@ -4,6 +4,7 @@
 #include "flow/flow_solver.hpp"
 #include "transfer/force_fields.hpp"
 #include "transfer/interpolate.hpp"
+#include "transfer/velocity_copies.hpp"
 
 namespace pliant {
 
@@ -83,12 +84,11 @@ class DirectForcing {
   void force_once(double weight, double dt_alpha, View<FaceX> u, View<FaceY> v, View<FaceZ> w);
   void force_set(Set& set, bool is_last, double weight, double dt_alpha, View<FaceX> u, View<FaceY> v, View<FaceZ> w);
   void force_sheets(Set& set, double weight, double dt_alpha, View<FaceX> u, View<FaceY> v, View<FaceZ> w);
-  void refill_ghosts(View<FaceX> u, View<FaceY> v, View<FaceZ> w);
 
   Grid grid_;
   std::array<Set, 2> sets_;
   ForceFields fields_;
-  SlabHalo halo_;
+  VelocityCopies copies_;
   double density_;
   int iterations_;
 };

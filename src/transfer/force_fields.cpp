@@ -9,10 +9,7 @@ namespace pliant {
 namespace {
 
 // Nodes begin to end - 1 of a row: adds them to what is unknown there, nodes 0 to unknowns - 1, and empties them.
-template <class Location>
-void move_row(View<Location> from, View<Location> to, double factor, int begin, int end, int unknowns, int j, int k) {
-  double* __restrict u = to.at_row(j, k);
-  double* __restrict f = from.at_row(j, k);
+void move_row(double* __restrict f, double* __restrict u, double factor, int begin, int end, int unknowns) {
   const int first = std::clamp(0, begin, end), last = std::clamp(unknowns, first, end);
   std::fill(f + begin, f + first, 0.0);
   for (int i = first; i < last; ++i) {
@@ -94,9 +91,7 @@ void ForceFields::gather_plane(int k) {
 }
 
 void ForceFields::move_plane(int k, double factor, View<FaceX> u, View<FaceY> v, View<FaceZ> w) {
-  const int nx = grid_.nx(), ny = grid_.ny(), nz = grid_.nz();
-  const int u_end = grid_.is_periodic(0) ? nx : nx - 1, v_end = grid_.is_periodic(1) ? ny : ny - 1;
-  const int w_end = grid_.has_top() ? nz - 1 : nz;
+  const int ny = grid_.ny();
   for (int j = -1; j <= ny; ++j) {
     if (const int ahead = j + rows_ahead; ahead <= ny)
       reached_.for_each_part(ahead, k, [&](int begin, int end) {
@@ -107,15 +102,45 @@ void ForceFields::move_plane(int k, double factor, View<FaceX> u, View<FaceY> v,
         prefetch_row<FaceY>(v, begin, end, ahead, k);
         prefetch_row<FaceZ>(w, begin, end, ahead, k);
       });
-    const bool inside = j >= 0 && k >= 0 && k < nz;
-    const int of_u = inside && j < ny ? u_end : 0, of_v = inside && j < v_end ? nx : 0;
-    const int of_w = inside && j < ny && k < w_end ? nx : 0;
+    const auto unknowns = unknowns_of(j, k);
     reached_.for_each_part(j, k, [&](int begin, int end) {
-      move_row(x_.view(), u, factor, begin, end, of_u, j, k);
-      move_row(y_.view(), v, factor, begin, end, of_v, j, k);
-      move_row(z_.view(), w, factor, begin, end, of_w, j, k);
+      move_row(x_.view().at_row(j, k), u.at_row(j, k), factor, begin, end, unknowns.u);
+      move_row(y_.view().at_row(j, k), v.at_row(j, k), factor, begin, end, unknowns.v);
+      move_row(z_.view().at_row(j, k), w.at_row(j, k), factor, begin, end, unknowns.w);
     });
   }
+}
+
+ForceFields::Unknowns ForceFields::unknowns_of(int j, int k) const {
+  const int nx = grid_.nx(), ny = grid_.ny(), nz = grid_.nz();
+  const bool inside = j >= 0 && j < ny && k >= 0 && k < nz;
+  if (!inside) return {0, 0, 0};
+  return {grid_.is_periodic(0) ? nx : nx - 1, grid_.is_periodic(1) || j < ny - 1 ? nx : 0,
+          grid_.has_top() && k == nz - 1 ? 0 : nx};
+}
+
+void ForceFields::hand_over() {
+  gather();
+  const auto forget = [&](int j, int k) {
+    reached_.for_each_part(j, k, [&](int begin, int end) {
+      for (double* row : {x_.view().at_row(j, k), y_.view().at_row(j, k), z_.view().at_row(j, k)})
+        std::fill(row + begin, row + end, 0.0);
+    });
+  };
+  const int ny = grid_.ny(), nz = grid_.nz();
+  for (int k = -1; k <= nz; ++k)
+    for (int j = -1; j <= ny; ++j)
+      if (j < 0 || j == ny || k < 0 || k == nz) forget(j, k);
+}
+
+void ForceFields::take_row(double factor, double* u, double* v, double* w, int j, int k) {
+  if (reached_.is_empty(j, k)) return;
+  const auto unknowns = unknowns_of(j, k);
+  reached_.for_each_part(j, k, [&](int begin, int end) {
+    move_row(x_.view().at_row(j, k), u, factor, begin, end, unknowns.u);
+    move_row(y_.view().at_row(j, k), v, factor, begin, end, unknowns.v);
+    move_row(z_.view().at_row(j, k), w, factor, begin, end, unknowns.w);
+  });
 }
 
 }  // namespace pliant

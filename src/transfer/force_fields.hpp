@@ -1,4 +1,5 @@
 #pragma once
+#include "flow/flow_solver.hpp"
 #include "parallel/slab_halo.hpp"
 #include "transfer/reached_rows.hpp"
 
@@ -6,7 +7,7 @@ namespace pliant {
 
 /// A force on the fluid at the nodes of u, v and w, apart from the velocity, so that the order of bodies does not show.
 /// Only the parts of rows that markers reach are ever touched: the cost follows the bodies, not the box.
-class ForceFields {
+class ForceFields : public NodalForces {
  public:
   explicit ForceFields(const Grid& grid);
 
@@ -29,8 +30,16 @@ class ForceFields {
   /// u += factor times force, at the nodes that are unknowns: not at a bounded side's own face. Leaves the fields
   /// empty: while they are in cache that costs little.
   void move_to(double factor, View<FaceX> u, View<FaceY> v, View<FaceZ> w);
+  /// The same row by row, by the flow: after hand_over() instead of gather(), which leaves the interior alone filled.
+  /// Collective.
+  void hand_over();
+  void take_row(double factor, double* u, double* v, double* w, int j, int k) override;
 
  private:
+  struct Unknowns {
+    int u, v, w;  // nodes of a row that are unknowns: the first so many
+  };
+  Unknowns unknowns_of(int j, int k) const;
   void gather_plane(int k);
   void move_plane(int k, double factor, View<FaceX> u, View<FaceY> v, View<FaceZ> w);
 

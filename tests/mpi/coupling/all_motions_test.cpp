@@ -19,7 +19,7 @@ Outcome run(const CaseConfig& config, const Communicator& ranks, const std::file
   return outcome;
 }
 
-CaseConfig twenty_steps(CouplingKind coupling, StrongScheme scheme = StrongScheme::aitken) {
+CaseConfig twenty_steps(CouplingKind coupling, StrongScheme scheme = StrongScheme::automatic) {
   auto config = all_motions();
   config.time.max_steps = 20;
   config.coupling.scheme = scheme;

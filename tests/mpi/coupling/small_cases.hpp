@@ -64,6 +64,23 @@ inline BodyConfig drop(Vec3 center, double radius) {
   return body;
 }
 
+/// A drop that is turned, pinned, tethered, tied and pulled.
+inline BodyConfig held_drop(Vec3 center, double radius) {
+  auto body = drop(center, radius);
+  body.rotation = {{1, 1, 0}, 40};
+  body.inner_damping = 0.2;
+  body.selections.resize(2);
+  body.selections[0].name = "top";
+  body.selections[0].sphere = {{0, 0, radius}, 0.3 * radius};
+  body.selections[1].name = "side";
+  body.selections[1].extreme = {{1, 0.2, 0.1}, 0.1};
+  body.pinned = {"top"};
+  body.tethers = {{"tether", "side", 3.0, 0.1}};
+  body.cords = {{"cord", "side", "", Vec3{0, 2 * radius, 0}, CordEnds::middle, 5.0, {}, 0.8}};
+  body.pulls = {{"pull", "side", {0.5, 0, 0.5}}};
+  return body;
+}
+
 /// A body of every motion in a disturbed flow between walls, on a stretched grid of odd numbers.
 inline CaseConfig all_motions() {
   auto config = small_box({11, 10, 13});
@@ -81,7 +98,7 @@ inline CaseConfig all_motions() {
   thrown.rigid.velocity = {1.5, 0.5, -2};
   thrown.rigid.angular_velocity = {1, 2, 3};
   config.bodies = {ball("rock", MotionKind::fixed, {-1.1, -1.1, -1}, 0.5), told, thrown, leaflet({-1.1, 1.0, 0.2}),
-                   drop({-1.0, -1.0, 0.9}, 0.6)};
+                   held_drop({-1.0, -1.0, 0.9}, 0.6)};
   return config;
 }
 

@@ -9,5 +9,7 @@ pliant_test(hinge_coupling_test SOURCES ${CMAKE_CURRENT_LIST_DIR}/hinge_coupling
 target_include_directories(hinge_coupling_test PRIVATE ${CMAKE_SOURCE_DIR}/tests)
 pliant_test(coupling_sheet_test SOURCES ${CMAKE_CURRENT_LIST_DIR}/sheet_test.cpp LIBS pliant_simulation RANKS 1 3)
 target_include_directories(coupling_sheet_test PRIVATE ${CMAKE_SOURCE_DIR}/tests)
+pliant_test(coupling_soft_bodies_test SOURCES ${CMAKE_CURRENT_LIST_DIR}/soft_bodies_test.cpp LIBS pliant_simulation
+  RANKS 1 2 3 4)
 pliant_test(deformable_contact_test SOURCES ${CMAKE_CURRENT_LIST_DIR}/deformable_contact_test.cpp LIBS pliant_simulation
   RANKS 1 2 3 4)

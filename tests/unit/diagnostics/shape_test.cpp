@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "mesh/shapes/icosphere.hpp"
+#include "mesh/shapes/plate.hpp"
 
 namespace pliant {
 namespace {
@@ -54,6 +55,25 @@ TEST(EllipsoidFit, OfASphereIsASphere) {
   const auto fit = fit_of(8, {1, 1, 1}, 0.0);
   EXPECT_NEAR(fit.length, fit.breadth, 1e-12);
   EXPECT_NEAR(fit.width, fit.breadth, 1e-12);
+}
+
+TEST(MeasureShape, OfAnOpenSurfaceHasItsCentroidAndAttachments) {
+  const auto plate = make_plate(2.0, 1.0, 0.2);
+  DeformableBody body;
+  body.mesh = plate.mesh;
+  body.positions = body.reference = plate.positions;
+  for (Vec3& x : body.positions) x += Vec3{1, 2, 3};
+  body.velocities.resize(body.positions.size());
+  body.masses.assign(body.positions.size(), 1.0);
+  EXPECT_TRUE(measure_shape(body).energies.empty());
+  body.attachments.tethers = std::make_shared<const std::vector<Tether>>(1, Tether{0, plate.positions[0], 2.0, 0});
+  const auto shape = measure_shape(body);
+  EXPECT_LT(norm(shape.ellipsoid.centroid - Vec3{1, 2, 3}), 1e-12);
+  EXPECT_NEAR(shape.area, 2.0, 1e-12);
+  EXPECT_EQ(shape.ellipsoid.volume, 0);
+  EXPECT_TRUE(std::isnan(shape.ellipsoid.length));
+  ASSERT_EQ(shape.energies.size(), 1u);
+  EXPECT_NEAR(shape.energies[0].second, 0.5 * 2.0 * 14.0, 1e-12);
 }
 
 }  // namespace

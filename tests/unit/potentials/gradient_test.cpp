@@ -113,6 +113,49 @@ TEST(Gradient, Volume) {
   }
 }
 
+TEST(Gradient, Pressure) {
+  for (const auto& s : {deformed_sphere(2, 1), deformed_sphere(3, 2)})
+    expect_gradient(s, Pressure{3.0}, [&](const std::vector<Vec3>& x) { return -3.0 * polyhedron_volume(s.mesh, x); });
+}
+
+/// Principal stretches of a triangle, from the edges of its reference and of its present shape laid out in a plane:
+/// F maps one pair of edges on the other.
+std::array<double, 2> stretches(const std::array<Vec3, 3>& reference, const std::array<Vec3, 3>& present) {
+  const auto flat = [](const std::array<Vec3, 3>& x) {
+    const Vec3 along = normalized(x[1] - x[0]), up = x[2] - x[0] - dot(x[2] - x[0], along) * along;
+    return std::array<double, 3>{norm(x[1] - x[0]), dot(x[2] - x[0], along), norm(up)};
+  };
+  const auto [a, b, c] = flat(reference);
+  const auto [p, q, r] = flat(present);
+  const double f00 = p / a, f01 = (q - f00 * b) / c, f11 = r / c;  // upper triangular
+  const double sum = f00 * f00 + f01 * f01 + f11 * f11, product = f00 * f11;
+  const double root = std::sqrt(std::max(0.0, 0.25 * sum * sum - product * product));
+  return {std::sqrt(0.5 * sum + root), std::sqrt(0.5 * sum - root)};
+}
+
+TEST(Gradient, Membranes) {
+  const auto energy_of = [](const DeformedSurface& s, auto density) {
+    return [&s, density](const std::vector<Vec3>& x) {
+      double total = 0;
+      for (const auto& [a, b, c] : s.mesh.vertices_of_face()) {
+        const auto [l1, l2] = stretches({s.reference[a], s.reference[b], s.reference[c]}, {x[a], x[b], x[c]});
+        total += triangle_area(s.reference[a], s.reference[b], s.reference[c]) * density(l1, l2);
+      }
+      return total;
+    };
+  };
+  for (const auto& s : all_surfaces()) {
+    expect_gradient(
+        s, Membrane::about_shape(s.mesh, s.reference, NeoHookean{3.0}),
+        energy_of(s, [](double l1, double l2) { return 1.5 * (l1 * l1 + l2 * l2 + 1 / (l1 * l1 * l2 * l2) - 3); }));
+    expect_gradient(s, Membrane::about_shape(s.mesh, s.reference, Skalak{3.0, 7.0}),
+                    energy_of(s, [](double l1, double l2) {
+                      const double i1 = l1 * l1 + l2 * l2 - 2, i2 = l1 * l1 * l2 * l2 - 1;
+                      return 0.75 * (i1 * i1 + 2 * i1 - 2 * i2 + 7 * i2 * i2);
+                    }));
+  }
+}
+
 TEST(Gradient, AreaPerFace) {
   for (const auto& s : all_surfaces()) {
     FaceAreaPenalty penalty{4.0, {}};

@@ -49,6 +49,43 @@ TEST(Moduli, VanGelderGivesBackYoungsModulus) {
   EXPECT_NEAR(equilateral_moduli(std::sqrt(3.0) / 2 * young * thickness).young, young * thickness, 1e-12);
 }
 
+/// Young's moduli of a lattice along and across a fibre, times the thickness.
+std::array<double, 2> fibre_moduli(Vec3 fibre, double along, double across, double thickness) {
+  const auto patch = make_lattice_patch(6);
+  const Vec3 other{-fibre.y, fibre.x, 0};
+  const EdgeSprings springs{
+      fibre_network_stiffness(patch.mesh, patch.positions, fibre_stiffness(fibre, along, across), thickness),
+      edge_lengths(patch.mesh, patch.positions)};
+  const auto second = [&](double e11, double e22) {
+    const auto energy = [&](double e) {
+      auto moved = patch.positions;
+      for (Vec3& x : moved) x += e * (e11 * dot(x, fibre) * fibre + e22 * dot(x, other) * other);
+      return springs.energy(ShapeState(patch.mesh, moved)) / total_area(patch.mesh, patch.positions);
+    };
+    constexpr double e = 1e-5;
+    return (energy(e) + energy(-e)) / (e * e);
+  };
+  const double c11 = second(1, 0), c22 = second(0, 1), c12 = 0.5 * (second(1, 1) - c11 - c22);
+  return {c11 - c12 * c12 / c22, c22 - c12 * c12 / c11};
+}
+
+TEST(Moduli, FibresAlongOrAcrossTheEdgesOfALatticeStretchAsTheirModuliSay) {
+  for (double across : {3.0, 4.0, 12.0, 36.0})
+    for (int sixths = 0; sixths < 6; ++sixths) {
+      const double angle = sixths * std::numbers::pi / 6;
+      const auto [found_along, found_across] = fibre_moduli({std::cos(angle), std::sin(angle), 0}, 12.0, across, 0.5);
+      EXPECT_NEAR(found_along, 12.0 * 0.5, 1e-3) << across << ", " << sixths;
+      EXPECT_NEAR(found_across, across * 0.5, 1e-3 * across / 12) << across << ", " << sixths;
+    }
+}
+
+TEST(Moduli, EqualFibresAreNone) {
+  const auto s = deformed_sphere(2, 3);
+  const auto plain = van_gelder_stiffness(s.mesh, s.positions, 7.0, 0.3);
+  const auto fibres = fibre_network_stiffness(s.mesh, s.positions, fibre_stiffness({1, 2, 0}, 7.0, 7.0), 0.3);
+  for (std::size_t e = 0; e < plain.size(); ++e) EXPECT_NEAR(fibres[e], plain[e], 1e-12);
+}
+
 TEST(Moduli, HingesOfALatticeBendAsTheSheetDoes) {
   const double b = bending_modulus(12.0, 0.5, 0.5);
   EXPECT_NEAR(b, 12.0 * 0.125 / 12 / 0.75, 1e-15);

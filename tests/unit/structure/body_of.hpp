@@ -9,7 +9,7 @@ namespace pliant {
 inline DeformableBody body_of(const BodyConfig& config, double mean_spacing = 0) {
   Surface surface = load_shape(config, ".");
   surface.positions = place(surface.positions, given_placement(config));
-  return make_body(config, std::move(surface), mean_spacing);
+  return make_body(config, std::move(surface), mean_spacing, 1.0);
 }
 
 }  // namespace pliant

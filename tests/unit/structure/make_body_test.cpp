@@ -6,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "mesh/geometry.hpp"
+#include "potentials/moduli.hpp"
 #include "structure/stable_time_step.hpp"
 #include "unit/structure/body_of.hpp"
 
@@ -67,10 +68,99 @@ TEST(MakeBody, ProbesAreOneSpacingLongUnlessGiven) {
   EXPECT_EQ(body_of(config, 0.125).traction.probe_length, 0.5);
 }
 
-TEST(MakeBody, RefusesAMassOfZero) {
+TEST(MakeBody, WithoutAMassHasNoFrequency) {
   auto config = drop();
   config.mass_per_vertex = 0;
-  EXPECT_THROW(body_of(config), InputError);
+  config.potentials.edge = EdgeConfig{7.0, 0.5};
+  const auto body = body_of(config);
+  EXPECT_EQ(body.masses[0], 0);
+  EXPECT_EQ(body.largest_frequency, std::numeric_limits<double>::infinity());
+  const std::vector<double> fluid(body.masses.size(), 0.25);
+  config.mass_per_vertex = 0.25;
+  EXPECT_EQ(find_largest_frequency(body, fluid), body_of(config).largest_frequency);
+}
+
+TEST(MakeBody, WeighsItsWall) {
+  auto config = drop();
+  config.mass_per_vertex.reset();
+  EXPECT_EQ(body_of(config).masses[0], 0.0) << "a surface of the flow, unless it moves by itself";
+  config.coupling = CouplingKind::one_way;
+  EXPECT_EQ(body_of(config).masses[0], 1.0);
+  config.coupling = CouplingKind::automatic;
+  config.material.thickness = 0.1;
+  config.material.density = 3.0;
+  const auto body = body_of(config);
+  double total = 0;
+  for (double m : body.masses) total += m;
+  EXPECT_NEAR(total, 0.3 * total_area(body.mesh, body.positions), 1e-12);
+  config.material.density.reset();
+  EXPECT_NEAR(body_of(config).masses[5], body.masses[5] / 3, 1e-15) << "the density of the fluid is 1";
+  config.mass_per_vertex = 0.25;
+  EXPECT_EQ(body_of(config).masses[5], 0.25);
+}
+
+TEST(MakeBody, MakesSpringsAndHingesOfItsMaterial) {
+  auto config = drop();
+  config.material.thickness = 0.1;
+  config.material.young = 30.0;
+  config.material.poisson = 0.2;
+  const auto body = body_of(config);
+  const auto potentials = body.potentials.potentials();
+  ASSERT_EQ(potentials.size(), 2u);
+  const auto& edges = std::get<EdgeSprings>(potentials[0]);
+  EXPECT_EQ(edges.stiffness, van_gelder_stiffness(body.mesh, body.positions, 30.0, 0.1));
+  EXPECT_EQ(edges.rest_length, edge_lengths(body.mesh, body.positions));
+  EXPECT_EQ(std::get<Bending>(potentials[1]).stiffness,
+            hinge_stiffness(body.mesh, body.positions, bending_modulus(30.0, 0.1, 0.2)));
+
+  config.potentials.edge = EdgeConfig{7.0, 1.0};
+  config.potentials.bending = BendingConfig{3.0, ReferenceAngle::initial};
+  const auto given = body_of(config);
+  ASSERT_EQ(given.potentials.potentials().size(), 2u);
+  EXPECT_EQ(std::get<EdgeSprings>(given.potentials.potentials()[0]).stiffness[3], 7.0);
+  EXPECT_EQ(std::get<Bending>(given.potentials.potentials()[1]).stiffness[3], 3.0);
+
+  config.potentials.edge.reset();
+  config.potentials.membrane = MembraneConfig{MembraneLaw::skalak, 2.0, 5.0};
+  const auto membrane = body_of(config);
+  ASSERT_EQ(membrane.potentials.potentials().size(), 2u);
+  EXPECT_EQ(std::get<Skalak>(std::get<Membrane>(membrane.potentials.potentials()[0]).law).ratio, 5.0);
+}
+
+TEST(MakeBody, PinsAndAttachesItsSelections) {
+  BodyConfig config;
+  config.name = "flag";
+  config.surface = PlateSurface{{2, 1}, 0.25};
+  config.selections.resize(2);
+  config.selections[0].name = "pole";
+  config.selections[0].plane = {{-1, 0, 0}, {1, 0, 0}, PlaneSide::on, {}};
+  config.selections[1].name = "tip";
+  config.selections[1].plane = {{1, 0, 0}, {1, 0, 0}, PlaneSide::on, {}};
+  config.pinned = {"pole"};
+  config.tethers = {{"t", "tip", 2.0, 0.5}};
+  config.cords = {{"across", "tip", "pole", {}, CordEnds::each, 1.0, {}, 0.5},
+                  {"up", "tip", "", Vec3{1, 0, 3}, CordEnds::middle, 1.0, 2.5, 1.0}};
+  config.pulls = {{"p", "tip", {0, 0, 1}}};
+  const auto body = body_of(config);
+  std::size_t n_pole = 0, n_tip = 0;
+  for (std::size_t v = 0; v < body.positions.size(); ++v) {
+    EXPECT_EQ(body.is_pinned(v), body.positions[v].x < -1 + 1e-9);
+    n_pole += body.is_pinned(v) ? 1 : 0;
+    n_tip += body.positions[v].x > 1 - 1e-9 ? 1 : 0;
+  }
+  ASSERT_GE(n_pole, 4u);
+  EXPECT_EQ(body.attachments.tethers->size(), n_tip);
+  ASSERT_EQ(body.attachments.cords->size(), n_tip + 1);
+  for (std::size_t n = 0; n < n_tip; ++n) {
+    const auto& cord = (*body.attachments.cords)[n];
+    const Vec3 across = body.positions[cord.to[0]] - body.positions[cord.from[0]];
+    EXPECT_NEAR(cord.rest_length, 0.5 * norm(across), 1e-15);
+    EXPECT_NEAR(across.x, -2, 1e-12);
+    EXPECT_LT(std::abs(across.y), 0.15) << "the nearest";
+  }
+  EXPECT_EQ(body.attachments.cords->back().from.size(), n_tip);
+  EXPECT_EQ(body.attachments.cords->back().rest_length, 2.5);
+  EXPECT_EQ(body.attachments.pulls->front().vertices.size(), n_tip);
 }
 
 TEST(LoadShape, RefusesAMissingFile) {

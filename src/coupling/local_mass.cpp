@@ -1,0 +1,74 @@
+#include "coupling/local_mass.hpp"
+
+#include <algorithm>
+
+#include "core/error.hpp"
+#include "mesh/geometry.hpp"
+#include "parallel/agree.hpp"
+#include "structure/stable_time_step.hpp"
+
+namespace pliant {
+
+LocalMass::LocalMass(const Grid& grid, const CaseConfig& config, Bodies& bodies)
+    : SoftBodies(grid, config, bodies, CouplingKind::local_mass) {}
+
+// Symplectic Euler, with the layer as part of the mass.
+void LocalMass::advance(const VertexTransfer::Part& part, double time) {
+  auto& surface = part.body->surface;
+  const std::size_t n_vertices = surface.positions.size();
+  forces_.resize(n_vertices);
+  masses_.resize(n_vertices);
+  for (std::size_t v = 0; v < n_vertices; ++v)
+    masses_[v] = surface.masses[v] + layer() * transfer_.areas()[part.begin + v];
+  const int substeps = surface.substeps.value_or(substeps_for(time, part.kind->layered_limit, surface.name));
+  const double step = time / substeps;
+  for (int n = 0; n < substeps; ++n) {
+    find_nodal_forces(*part.body, *part.kind, shape_of(part), gravity_, density_, forces_);
+    for (std::size_t v = 0; v < n_vertices; ++v) {
+      if (surface.is_pinned(v)) continue;
+      surface.velocities[v] += (step / masses_[v]) * forces_[v];
+      surface.positions[v] += step * surface.velocities[v];
+    }
+  }
+  std::copy(forces_.begin(), forces_.end(), surface.forces.begin());
+}
+
+void LocalMass::predicted(const Substep& substep, double dt, View<FaceX> u, View<FaceY> v, View<FaceZ> w) {
+  if (substep.index > 0) place();
+  transfer_.find_velocities(u, v, w, velocities_);
+  std::string problem;
+  for (const auto& part : transfer_.parts()) {
+    auto& surface = part.body->surface;
+    const std::size_t n_vertices = part.size();
+    for (std::size_t n = 0; n < n_vertices; ++n) {
+      const double fluid = layer() * transfer_.areas()[part.begin + n], mass = surface.masses[n];
+      surface.velocities[n] = surface.is_pinned(n)
+                                  ? Vec3{}
+                                  : (mass * surface.velocities[n] + fluid * velocities_[part.begin + n]) / (mass + fluid);
+    }
+    if (part.kind->config.held) {
+      const Vec3 mean = mean_of(part, surface.velocities);
+      for (Vec3& velocity : surface.velocities) velocity -= mean;
+    }
+    try {
+      advance(part, substep.alpha * dt);
+    } catch (const RunError& error) {
+      if (problem.empty()) problem = error.what();
+    }
+    if (part.kind->config.held) {
+      const Vec3 mean = mean_of(part, surface.velocities);
+      for (std::size_t n = 0; n < n_vertices; ++n) surface.velocities[n] -= mean;
+    }
+    for (std::size_t n = 0; n < n_vertices; ++n) velocities_[part.begin + n] = surface.velocities[n] - velocities_[part.begin + n];
+  }
+  agree(grid_.ranks(), problem);
+  transfer_.spread_increments(velocities_);
+  transfer_.fields().gather();
+  transfer_.fields().move_to(1, u, v, w);
+  for (const auto& part : transfer_.parts()) {
+    for (std::size_t i = part.begin; i < part.end; ++i) velocities_[i] *= layer() * transfer_.areas()[i];
+    count_impulse(part, part.of(velocities_));
+  }
+}
+
+}  // namespace pliant

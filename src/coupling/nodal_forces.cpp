@@ -1,0 +1,57 @@
+#include "coupling/nodal_forces.hpp"
+
+#include <cmath>
+
+#include "mesh/geometry.hpp"
+#include "structure/body_forces.hpp"
+
+namespace pliant {
+
+void find_nodal_forces(const Body& body, const BodyKind& kind, const ShapeState& shape, Vec3 gravity,
+                       double fluid_density, std::span<Vec3> forces) {
+  const auto& surface = body.surface;
+  find_body_forces(surface, shape, forces);
+  const double displaced = fluid_density * kind.config.material.thickness;
+  for (std::size_t v = 0; v < forces.size(); ++v) {
+    const double weight = surface.masses[v] - displaced * surface.reference_areas[v];
+    forces[v] += weight * gravity - surface.damping * surface.velocities[v];
+  }
+}
+
+void remove_mean(std::span<const double> masses, std::span<Vec3> velocities) {
+  Vec3 momentum;
+  double mass = 0;
+  for (std::size_t v = 0; v < velocities.size(); ++v) {
+    momentum += masses[v] * velocities[v];
+    mass += masses[v];
+  }
+  for (Vec3& velocity : velocities) velocity -= momentum / mass;
+}
+
+// With the areas as weights the least motion is along the gradient of the volume over the area: a vertex's normal.
+double restore_volume(DeformableBody& body, double volume) {
+  constexpr int most_steps = 5;
+  constexpr double tolerance = 1e-14;
+  const double first = enclosed_volume(body.mesh, body.positions);
+  double present = first;
+  std::vector<Vec3> gradient(body.positions.size());
+  for (int n = 0; n < most_steps && std::abs(present - volume) > tolerance * std::abs(volume); ++n) {
+    const auto areas = vertex_areas(body.mesh, body.positions);
+    std::fill(gradient.begin(), gradient.end(), Vec3{});
+    for (const Face& face : body.mesh.vertices_of_face()) {
+      const Vec3 third = face_vector(face, body.positions) / 6.0;
+      for (int v : face) gradient[static_cast<std::size_t>(v)] += third;
+    }
+    double slope = 0;
+    for (std::size_t v = 0; v < gradient.size(); ++v)
+      if (!body.is_pinned(v)) slope += dot(gradient[v], gradient[v]) / areas[v];
+    if (!(slope > 0)) break;
+    const double amount = (volume - present) / slope;
+    for (std::size_t v = 0; v < gradient.size(); ++v)
+      if (!body.is_pinned(v)) body.positions[v] += (amount / areas[v]) * gradient[v];
+    present = enclosed_volume(body.mesh, body.positions);
+  }
+  return present - first;
+}
+
+}  // namespace pliant
