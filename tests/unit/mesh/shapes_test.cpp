@@ -145,7 +145,7 @@ TEST(Shapes, EllipsoidsKeepGoodAnglesUpToAnAspectRatioOfTwo) {
     }
 }
 
-/// Evans & Fung's cell of radius 3.91 micrometres: 94.1 cubic and 133.6 square micrometres, 0.81 thick in the
+/// Evans & Fung's cell of radius 3.91 micrometres: 94.1 cubic and 134.1 square micrometres, 0.81 thick in the
 /// middle, 2.57 where it is thickest.
 TEST(Shapes, RedCellsAreThoseOfEvansAndFung) {
   constexpr double radius = 3.91;
@@ -155,15 +155,25 @@ TEST(Shapes, RedCellsAreThoseOfEvansAndFung) {
   const double exact = 2 * pi * radius * radius * radius * (0.207 / 3 + 2.003 * 2 / 15 - 1.123 * 8 / 105);
   EXPECT_NEAR(exact, 94.1, 0.05);
   expect_second_order([&](int n) { return volume(make_red_cell(8 * n, radius)); }, exact);
-  EXPECT_NEAR(area(make_red_cell(60, radius)), 133.6, 0.15);
+  // The surface of revolution, as narrow frustums.
+  const auto half_thickness = [](double r) {
+    const double q2 = r * r / (radius * radius);
+    return 0.5 * radius * std::sqrt(std::max(0.0, 1 - q2)) * (0.207 + q2 * (2.003 - 1.123 * q2));
+  };
+  double exact_area = 0;
+  constexpr int rings = 100000;
+  for (int i = 0; i < rings; ++i) {
+    const double inner = radius * std::sin(0.5 * pi * i / rings), outer = radius * std::sin(0.5 * pi * (i + 1) / rings);
+    exact_area += 2 * pi * (inner + outer) * std::hypot(outer - inner, half_thickness(outer) - half_thickness(inner));
+  }
+  EXPECT_NEAR(exact_area, 134.1, 0.05);
+  expect_second_order([&](int n) { return area(make_red_cell(8 * n, radius)); }, exact_area);
   for (const int frequency : {2, 5, 8, 16}) {
     const auto cell = make_red_cell(frequency, radius);
-    expect_good(cell, Closure::closed, 2, 30);
+    expect_good(cell, Closure::closed, 2, 45);
     double highest = 0, widest = 0;
     for (const Vec3 x : cell.positions) {
-      const double q2 = (x.x * x.x + x.y * x.y) / (radius * radius);
-      const double half = 0.5 * radius * std::sqrt(std::max(0.0, 1 - q2)) * (0.207 + q2 * (2.003 - 1.123 * q2));
-      EXPECT_NEAR(std::abs(x.z), half, 1e-6);
+      EXPECT_NEAR(std::abs(x.z), half_thickness(std::hypot(x.x, x.y)), 1e-6);
       highest = std::max(highest, x.z);
       widest = std::max(widest, std::hypot(x.x, x.y));
     }
