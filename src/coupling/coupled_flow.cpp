@@ -26,11 +26,12 @@ CoupledFlow::CoupledFlow(const CaseConfig& config, FlowSolver& flow, Bodies& bod
   for (const auto& kind : bodies.kinds()) {
     has_forced |= kind.forces_flow();
     if (kind.coupling == CouplingKind::force_spreading && !force_spreading_)
-      force_spreading_.emplace(flow.grid(), config, bodies);
-    if (kind.coupling == CouplingKind::local_mass && !local_mass_) local_mass_.emplace(flow.grid(), config, bodies);
+      force_spreading_.emplace(flow.grid(), config, bodies, contact_);
+    if (kind.coupling == CouplingKind::local_mass && !local_mass_) local_mass_.emplace(flow.grid(), config, bodies, contact_);
     is_two_way_ |= kind.acts_on_flow();
     has_strong_ |= kind.coupling == CouplingKind::strong;
     has_probe_driven_ |= kind.is_driven_by_probes();
+    has_two_way_vertices_ |= !kind.has_pose() && kind.acts_on_flow();
     has_one_way_ |= !kind.has_pose() && !kind.acts_on_flow();
   }
   if (start == RunStart::anew && force_spreading_) force_spreading_->adopt_flow(flow_.state());
@@ -84,6 +85,18 @@ void CoupledFlow::advance_fluid(double step) {
   const auto scope = timer_.measure("fluid");
   if (local_mass_) local_mass_->begin();
   flow_.advance(step, hooks());
+}
+
+void CoupledFlow::begin_contact(double step) {
+  if (!has_two_way_vertices_) return;
+  const auto scope = timer_.measure("bodies: contact");
+  contact_.begin(bodies_, step, PosedBodies::at_its_start);
+}
+
+void CoupledFlow::end_contact(double step) {
+  if (!has_two_way_vertices_) return;
+  const auto scope = timer_.measure("bodies: contact");
+  contact_.end(bodies_, step);
 }
 
 void CoupledFlow::finish_soft_bodies(double step) {

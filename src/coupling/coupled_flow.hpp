@@ -41,6 +41,10 @@ class CoupledFlow {
   RigidLoad load_on(const Body& body) const;
   /// Ends the step of bodies that move with the flow. Collective. Throws CollectiveError.
   void finish_soft_bodies(double step);
+  /// A step of deformable bodies that act on the flow begins and ends for contact (Contact). Collective.
+  void begin_contact(double step);
+  void end_contact(double step);
+  SurfaceContact* contact_of(const Body& body) { return contact_.of(body); }
   /// What moves the vertices of deformable bodies besides the flow.
   NodalSurroundings nodal_surroundings() const { return {config_.forcing.gravity, config_.fluid.density}; }
   /// The step is done: what the flow was told becomes what it was told before.
@@ -76,7 +80,8 @@ class CoupledFlow {
   Contact contact_;
   VelocityCopies copies_;
   MlsSampler sampler_;
-  bool has_strong_ = false, is_two_way_ = false, has_probe_driven_ = false, has_one_way_ = false;
+  bool has_strong_ = false, is_two_way_ = false, has_probe_driven_ = false, has_one_way_ = false,
+       has_two_way_vertices_ = false;
   PhaseTimer timer_;
   double last_step_ = 0;
 };

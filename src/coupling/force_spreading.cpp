@@ -17,8 +17,8 @@ bool has_mass(const DeformableBody& body) {
 
 }  // namespace
 
-ForceSpreading::ForceSpreading(const Grid& grid, const CaseConfig& config, Bodies& bodies)
-    : SoftBodies(grid, config, bodies, CouplingKind::force_spreading), step_limit_(std::numeric_limits<double>::infinity()) {
+ForceSpreading::ForceSpreading(const Grid& grid, const CaseConfig& config, Bodies& bodies, Contact& contact)
+    : SoftBodies(grid, config, bodies, contact, CouplingKind::force_spreading), step_limit_(std::numeric_limits<double>::infinity()) {
   for (const auto& kind : bodies.kinds()) {
     if (kind.has_pose() || kind.coupling != CouplingKind::force_spreading) continue;
     step_limit_ = std::min(step_limit_, substep_safety * kind.layered_limit / largest_alpha);
@@ -45,6 +45,15 @@ void ForceSpreading::before(const Substep& substep, double dt) {
   place();
   if (substep.index == 0) begin_step();
   find_forces(forces_);
+  for (const auto& part : transfer_.parts()) {
+    auto* contact = contact_.of(*part.body);
+    if (contact == nullptr) continue;
+    const auto& surface = part.body->surface;
+    contact->add_forces({surface.positions, surface.velocities, mobilities_of(surface, layered_masses(part), time),
+                         elapsed_ + 0.5 * time, time},
+                        part.of(forces_));
+  }
+  elapsed_ += time;
   // What holds a pinned vertex is not the flow.
   for (const auto& part : transfer_.parts())
     for (std::size_t v = 0; v < part.size(); ++v)

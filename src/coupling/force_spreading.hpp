@@ -19,7 +19,7 @@ namespace pliant {
 /// Stable up to alpha dt omega = 2, omega the largest frequency of the vertices with the layer's mass (step_limit).
 class ForceSpreading : public SoftBodies {
  public:
-  ForceSpreading(const Grid& grid, const CaseConfig& config, Bodies& bodies);
+  ForceSpreading(const Grid& grid, const CaseConfig& config, Bodies& bodies, Contact& contact);
 
   /// The largest step that this rank's knowledge of the kinds allows; the same on all ranks, infinite without bodies.
   double step_limit() const { return step_limit_; }

@@ -9,26 +9,31 @@
 
 namespace pliant {
 
-LocalMass::LocalMass(const Grid& grid, const CaseConfig& config, Bodies& bodies)
-    : SoftBodies(grid, config, bodies, CouplingKind::local_mass) {}
+LocalMass::LocalMass(const Grid& grid, const CaseConfig& config, Bodies& bodies, Contact& contact)
+    : SoftBodies(grid, config, bodies, contact, CouplingKind::local_mass) {}
 
 // Symplectic Euler, with the layer as part of the mass.
 void LocalMass::advance(const VertexTransfer::Part& part, double time) {
   auto& surface = part.body->surface;
   const std::size_t n_vertices = surface.positions.size();
   forces_.resize(n_vertices);
-  masses_.resize(n_vertices);
-  for (std::size_t v = 0; v < n_vertices; ++v)
-    masses_[v] = surface.masses[v] + layer() * transfer_.areas()[part.begin + v];
+  masses_ = layered_masses(part);
   const int substeps = surface.substeps.value_or(substeps_for(time, part.kind->layered_limit, surface.name));
   const double step = time / substeps;
+  auto* contact = contact_.of(*part.body);
+  const auto mobilities = contact != nullptr ? mobilities_of(surface, masses_, step) : std::vector<double>{};
   for (int n = 0; n < substeps; ++n) {
     find_nodal_forces(*part.body, *part.kind, shape_of(part), gravity_, density_, forces_);
     for (std::size_t v = 0; v < n_vertices; ++v) {
       if (surface.is_pinned(v)) continue;
       surface.velocities[v] += (step / masses_[v]) * forces_[v];
-      surface.positions[v] += step * surface.velocities[v];
     }
+    if (contact != nullptr) {
+      pushes_.assign(n_vertices, Vec3{});
+      contact->add_forces({surface.positions, surface.velocities, mobilities, elapsed_ + n * step, step}, pushes_);
+      for (std::size_t v = 0; v < n_vertices; ++v) surface.velocities[v] += mobilities[v] * pushes_[v];
+    }
+    for (std::size_t v = 0; v < n_vertices; ++v) surface.positions[v] += step * surface.velocities[v];
   }
   std::copy(forces_.begin(), forces_.end(), surface.forces.begin());
 }
@@ -61,6 +66,7 @@ void LocalMass::predicted(const Substep& substep, double dt, View<FaceX> u, View
     }
     for (std::size_t n = 0; n < n_vertices; ++n) velocities_[part.begin + n] = surface.velocities[n] - velocities_[part.begin + n];
   }
+  elapsed_ += substep.alpha * dt;
   agree(grid_.ranks(), problem);
   transfer_.spread_increments(velocities_);
   transfer_.fields().gather();

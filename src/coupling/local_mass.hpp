@@ -16,7 +16,7 @@ namespace pliant {
 /// closed body's volume drifts: `volume_correction` takes that back.
 class LocalMass : public SoftBodies {
  public:
-  LocalMass(const Grid& grid, const CaseConfig& config, Bodies& bodies);
+  LocalMass(const Grid& grid, const CaseConfig& config, Bodies& bodies, Contact& contact);
 
   /// Before the first substep.
   void begin() { place(), begin_step(); }
@@ -26,7 +26,7 @@ class LocalMass : public SoftBodies {
  private:
   void advance(const VertexTransfer::Part& part, double time);
 
-  std::vector<Vec3> velocities_, forces_;
+  std::vector<Vec3> velocities_, forces_, pushes_;
   std::vector<double> masses_;
 };
 

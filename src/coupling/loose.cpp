@@ -16,7 +16,7 @@ void advance_loose_bodies(CoupledFlow& coupled, double step) {
     if (kind.coupling != CouplingKind::loose || (kind.has_pose() && !kind.is_free())) continue;
     try {
       if (!kind.has_pose()) {
-        advance_forced(body, kind, coupled.nodal_surroundings(), step);
+        advance_forced(body, kind, coupled.nodal_surroundings(), coupled.contact_of(body), step);
         continue;
       }
       const RigidLoad load = coupled.load_on(body);
@@ -32,11 +32,13 @@ void advance_loose_bodies(CoupledFlow& coupled, double step) {
 void advance_loose(CoupledFlow& coupled, double time, double step) {
   move_prescribed(coupled.bodies(), time);
   coupled.place_markers();
+  coupled.begin_contact(step);
   coupled.advance_fluid(step);
   coupled.find_loads(step);
   coupled.finish_soft_bodies(step);
   coupled.accept();
   advance_loose_bodies(coupled, step);
+  coupled.end_contact(step);
 }
 
 }  // namespace pliant

@@ -18,6 +18,12 @@ void find_nodal_forces(const Body& body, const BodyKind& kind, const ShapeState&
   }
 }
 
+std::vector<double> mobilities_of(const DeformableBody& body, std::span<const double> masses, double step) {
+  std::vector<double> mobilities(masses.size());
+  for (std::size_t v = 0; v < masses.size(); ++v) mobilities[v] = body.is_pinned(v) ? 0.0 : step / masses[v];
+  return mobilities;
+}
+
 void remove_mean(std::span<const double> masses, std::span<Vec3> velocities) {
   Vec3 momentum;
   double mass = 0;

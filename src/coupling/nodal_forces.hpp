@@ -1,5 +1,6 @@
 #pragma once
 #include <span>
+#include <vector>
 
 #include "coupling/body.hpp"
 #include "potentials/shape_state.hpp"
@@ -11,6 +12,9 @@ namespace pliant {
 /// present positions.
 void find_nodal_forces(const Body& body, const BodyKind& kind, const ShapeState& shape, Vec3 gravity,
                        double fluid_density, std::span<Vec3> forces);
+
+/// Change of the vertices' velocities by a unit of force over a step; none for pinned ones.
+std::vector<double> mobilities_of(const DeformableBody& body, std::span<const double> masses, double step);
 
 /// Takes the mean, weighted by mass, from velocities.
 void remove_mean(std::span<const double> masses, std::span<Vec3> velocities);

@@ -9,9 +9,11 @@
 
 namespace pliant {
 
-SoftBodies::SoftBodies(const Grid& grid, const CaseConfig& config, Bodies& bodies, CouplingKind coupling)
+SoftBodies::SoftBodies(const Grid& grid, const CaseConfig& config, Bodies& bodies, Contact& contact,
+                       CouplingKind coupling)
     : grid_(grid),
       bodies_(bodies),
+      contact_(contact),
       coupling_(coupling),
       transfer_(grid, config.fluid.density),
       gravity_(config.forcing.gravity),
@@ -54,12 +56,19 @@ void SoftBodies::find_forces(std::vector<Vec3>& forces) {
 }
 
 void SoftBodies::begin_step() {
+  elapsed_ = 0;
   for (const auto& part : transfer_.parts()) part.body->loads.reaction = part.body->loads.balance = {};
 }
 
 void SoftBodies::count_impulse(const VertexTransfer::Part& part, std::span<const Vec3> impulses) {
   auto& load = part.body->loads.reaction;
   load = load + total_load(part.body->surface.positions, impulses, part.body->pose.center);
+}
+
+std::vector<double> SoftBodies::layered_masses(const VertexTransfer::Part& part) const {
+  auto masses = part.body->surface.masses;
+  for (std::size_t v = 0; v < masses.size(); ++v) masses[v] += layer() * transfer_.areas()[part.begin + v];
+  return masses;
 }
 
 Vec3 SoftBodies::mean_of(const VertexTransfer::Part& part, std::span<const Vec3> of_body) const {

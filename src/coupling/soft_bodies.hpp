@@ -2,6 +2,7 @@
 #include <optional>
 #include <vector>
 
+#include "coupling/contact.hpp"
 #include "coupling/nodal_forces.hpp"
 #include "coupling/vertex_transfer.hpp"
 #include "flow/flow_solver.hpp"
@@ -12,7 +13,8 @@ namespace pliant {
 /// substep by substep: force-spreading and local-mass.
 class SoftBodies {
  public:
-  SoftBodies(const Grid& grid, const CaseConfig& config, Bodies& bodies, CouplingKind coupling);
+  SoftBodies(const Grid& grid, const CaseConfig& config, Bodies& bodies, Contact& contact,
+             CouplingKind coupling);
 
   bool any() const { return any_; }
   /// Mass of the layer of fluid, a mean grid spacing thick, that moves with a unit of area.
@@ -35,15 +37,19 @@ class SoftBodies {
   /// Adds to what the flow has been given in this step.
   void count_impulse(const VertexTransfer::Part& part, std::span<const Vec3> impulses);
   void begin_step();
+  /// Of the body's vertices, the layer of fluid at its wall included.
+  std::vector<double> layered_masses(const VertexTransfer::Part& part) const;
   /// Weighted by area; one vector a vertex of the body.
   Vec3 mean_of(const VertexTransfer::Part& part, std::span<const Vec3> of_body) const;
 
   Grid grid_;
   Bodies& bodies_;
+  Contact& contact_;
   CouplingKind coupling_;
   VertexTransfer transfer_;
   Vec3 gravity_;
   double density_, spacing_;
+  double elapsed_ = 0;  // of the step, before the present substep
 
  private:
   bool any_ = false;

@@ -62,6 +62,8 @@ StrongReport StrongCoupling::advance(CoupledFlow& coupled, double time, double s
   while (true) {
     ++report.iterations;
     if (report.iterations > 1) coupled.flow().restore_state(start_);
+    unknowns.rewind();
+    coupled.begin_contact(step);
     apply(unknowns, ranks_);
     coupled.place_markers();
     coupled.advance_fluid(step);
@@ -80,6 +82,7 @@ StrongReport StrongCoupling::advance(CoupledFlow& coupled, double time, double s
   coupled.finish_soft_bodies(step);
   coupled.accept();
   advance_loose_bodies(coupled, step);
+  coupled.end_contact(step);
   return report;
 }
 

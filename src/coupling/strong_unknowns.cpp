@@ -122,7 +122,7 @@ void StrongUnknowns::apply_vertices(Item& item) {
   Body& body = *item.body;
   const auto values = part(values_, item.begin, item.size);
   if (item.scheme == StrongScheme::aitken) {
-    item.vertices.apply(body, *item.kind, coupled_.nodal_surroundings(), values);
+    item.vertices.apply(body, *item.kind, coupled_.nodal_surroundings(), coupled_.contact_of(body), values);
     return;
   }
   unpack(values, body.surface);
@@ -221,6 +221,11 @@ double StrongUnknowns::told_torque(const Item& item) const {
 void StrongUnknowns::set_hinge_from_torque(Item& item) {
   Body& body = *item.body;
   body.hinge = after_step(item.kind->hinge, item.start_hinge, told_torque(item), step_, body.hinge_acceleration);
+}
+
+void StrongUnknowns::rewind() {
+  for (Item& item : items_)
+    if (!item.kind->has_pose()) item.vertices.rewind(*item.body);
 }
 
 void StrongUnknowns::apply() {

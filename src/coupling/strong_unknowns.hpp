@@ -23,6 +23,8 @@ class StrongUnknowns {
   StrongUnknowns(CoupledFlow& coupled, double step);
 
   std::vector<double>& values() { return values_; }
+  /// Puts deformable bodies back to the start of the step, from where apply() moves them.
+  void rewind();
   /// Moves the bodies to where the values say they are at the end of the step. Throws RunError if that is not finite.
   void apply();
   /// The values that the present loads make, G(y).

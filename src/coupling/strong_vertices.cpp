@@ -17,13 +17,16 @@ void StrongVertices::write(const Body& body, std::span<double> values) const {
 }
 
 void StrongVertices::apply(Body& body, const BodyKind& kind, const NodalSurroundings& surroundings,
-                           std::span<const double> values) const {
-  body.surface.positions = positions_;
-  body.surface.velocities = velocities_;
+                           SurfaceContact* contact, std::span<const double> values) const {
   for (std::size_t v = 0; v < masses_.size(); ++v)
     for (int c = 0; c < 3; ++c)
       body.flow_forces[v][c] = masses_[v] / step_ * values[3 * v + static_cast<std::size_t>(c)];
-  advance_forced(body, kind, surroundings, step_);
+  advance_forced(body, kind, surroundings, contact, step_);
+}
+
+void StrongVertices::rewind(Body& body) const {
+  body.surface.positions = positions_;
+  body.surface.velocities = velocities_;
 }
 
 }  // namespace pliant

@@ -19,8 +19,10 @@ class StrongVertices {
   /// From the flow's forces of the step before, or of the present iteration, to unknowns.
   void write(const Body& body, std::span<double> values) const;
   /// Moves the body from its start under the forces that the values stand for.
-  void apply(Body& body, const BodyKind& kind, const NodalSurroundings& surroundings,
+  void apply(Body& body, const BodyKind& kind, const NodalSurroundings& surroundings, SurfaceContact* contact,
              std::span<const double> values) const;
+  /// Puts the body back to the start.
+  void rewind(Body& body) const;
 
  private:
   double step_ = 0;
