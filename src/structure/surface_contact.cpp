@@ -512,6 +512,7 @@ void SurfaceContact::add_forces(const ContactMotion& motion, std::span<Vec3> for
   constexpr double tolerance = 1e-3;  // of the range
   const Nodes nodes = nodes_of(motion);
   renew_pairs(nodes, motion.elapsed);
+  if (!motion.masses.empty()) masses_.assign(motion.masses.begin(), motion.masses.end());
   for (std::size_t v = 0; v < resistances_.size(); ++v)
     if (motion.step > 0 && motion.mobilities[v] > 0)
       resistances_[v] = std::max(0.0, 1.0 / motion.mobilities[v] - masses_[v] / motion.step);

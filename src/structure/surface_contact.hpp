@@ -39,6 +39,7 @@ struct ContactMotion {
   std::span<const double> mobilities;  ///< change of those velocities by a unit of force; step / mass without drag
   double elapsed = 0;                  ///< since the obstacles were as told
   double step = 0;
+  std::span<const double> masses = {};  ///< that move with the vertices, of fluid too; none: the body's own
 };
 
 /// Contact of one deformable body with others, with walls and with itself.
@@ -74,7 +75,8 @@ class SurfaceContact {
   /// Force times time since `begin`: on each vertex by other deformable bodies; on each vertex of the obstacles.
   std::span<const Vec3> impulses_of_yielding() const { return own_impulses_; }
   std::span<const Vec3> impulses_on_obstacles() const { return obstacle_impulses_; }
-  /// The drag over velocity that the last substep's mobilities say, of each vertex.
+  /// Of each vertex in the last substep: the mass, and the drag over velocity that the mobilities say.
+  std::span<const double> masses() const { return masses_; }
   std::span<const double> resistances() const { return resistances_; }
 
   /// The least gap that the last substep began with; more than the range: none within it.
