@@ -13,6 +13,7 @@
 #include "mesh/shapes/ellipsoid.hpp"
 #include "mesh/shapes/icosphere.hpp"
 #include "mesh/shapes/plate.hpp"
+#include "mesh/shapes/red_cell.hpp"
 
 namespace pliant {
 namespace {
@@ -75,6 +76,11 @@ void add_shapes(CLI::App& mesh, Action& action, const Arguments& arguments) {
       });
   add_frequency(*ellipsoid, arguments);
   ellipsoid->add_option("--semi-axes", arguments->semi_axes, "Along x, y and z")->expected(3)->capture_default_str();
+
+  auto* red_cell = add_shape(mesh, action, arguments, "red-cell", "A red blood cell at rest, its axis along z",
+                             [](const auto& a) { return make_red_cell(a.frequency, a.radius); });
+  add_frequency(*red_cell, arguments);
+  add_radius(*red_cell, arguments);
 
   auto* plate = add_shape(mesh, action, arguments, "plate", "An open rectangle in the x-y plane",
                           [](const auto& a) { return make_plate(a.plate[0], a.plate[1], a.edge); });

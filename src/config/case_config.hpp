@@ -129,6 +129,10 @@ struct EllipsoidSurface {
   int frequency = 8;
   Vec3 semi_axes{1, 1, 1};
 };
+struct RedCellSurface {
+  int frequency = 8;
+  double radius = 1.0;
+};
 struct PlateSurface {
   std::array<double, 2> size{1, 1};  ///< along x and y
   double edge = 0.1;
@@ -153,8 +157,8 @@ struct FileSurface {
   double scale = 1.0;
   bool open = false;  ///< the mesh has borders
 };
-using SurfaceSpec = std::variant<SphereSurface, EllipsoidSurface, PlateSurface, DiscSurface, HalfDiscSurface,
-                                 CylinderSurface, BoxSurface, FileSurface>;
+using SurfaceSpec = std::variant<SphereSurface, EllipsoidSurface, RedCellSurface, PlateSurface, DiscSurface,
+                                 HalfDiscSurface, CylinderSurface, BoxSurface, FileSurface>;
 
 /// Whether a surface has borders: plates, discs, half-discs, tubes, and files that are said to.
 bool is_open_surface(const SurfaceSpec& surface);

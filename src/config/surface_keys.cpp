@@ -6,9 +6,10 @@ using BodyKey = Key<BodyConfig>;
 using SurfaceWord = std::pair<const char*, SurfaceSpec>;
 
 std::vector<SurfaceWord> shapes() {
-  return {{"sphere", SphereSurface{}}, {"ellipsoid", EllipsoidSurface{}}, {"plate", PlateSurface{}},
-          {"disc", DiscSurface{}},     {"half-disc", HalfDiscSurface{}},  {"cylinder", CylinderSurface{}},
-          {"box", BoxSurface{}}};
+  return {{"sphere", SphereSurface{}},     {"ellipsoid", EllipsoidSurface{}},
+          {"red-cell", RedCellSurface{}},  {"plate", PlateSurface{}},
+          {"disc", DiscSurface{}},         {"half-disc", HalfDiscSurface{}},
+          {"cylinder", CylinderSurface{}}, {"box", BoxSurface{}}};
 }
 
 std::string known_shapes() {
@@ -48,7 +49,7 @@ constexpr auto ends_of = where_present<CylinderEnds>([](auto& s) -> decltype(&s.
 constexpr auto axes_of = where_present<Vec3>([](auto& s) -> decltype(&s.semi_axes) { return &s.semi_axes; });
 constexpr auto scale_of = where_present<double>([](auto& s) -> decltype(&s.scale) { return &s.scale; });
 
-constexpr auto round_shapes = "\"sphere\", \"disc\", \"half-disc\" or \"cylinder\"";
+constexpr auto round_shapes = "\"sphere\", \"red-cell\", \"disc\", \"half-disc\" or \"cylinder\"";
 
 bool is_file(const BodyConfig& body) { return std::holds_alternative<FileSurface>(body.surface); }
 
@@ -57,7 +58,8 @@ BodyKey shape_key() {
   BodyKey key;
   key.path = "surface.shape";
   key.doc =
-      "a built-in surface about its origin: a geodesic sphere of 10 f^2 + 2 vertices, or one scaled to an ellipsoid; a "
+      "a built-in surface about its origin: a geodesic sphere of 10 f^2 + 2 vertices, or one scaled to an ellipsoid or "
+      "laid on a red blood cell; a "
       "box; a cylinder along z; or open ones in the x-y plane: a plate, a disc, or the half of a disc at x >= 0";
   key.type = "word";
   key.legal = known_shapes();
@@ -177,9 +179,10 @@ bool is_open_surface(const SurfaceSpec& surface) {
 void add_surface_keys(std::vector<Key<BodyConfig>>& keys) {
   keys.push_back(shape_key());
   keys.push_back(surface_key({"surface.frequency", "", "each edge of the icosahedron is cut in so many parts"},
-                             "\"sphere\" or \"ellipsoid\"", frequency_of, SphereSurface{}.frequency, between(1, 1000)));
-  keys.push_back(surface_key({"surface.radius", "length", "of the sphere, disc or cylinder"}, round_shapes, radius_of,
-                             SphereSurface{}.radius, positive()));
+                             "\"sphere\", \"ellipsoid\" or \"red-cell\"", frequency_of, SphereSurface{}.frequency,
+                             between(1, 1000)));
+  keys.push_back(surface_key({"surface.radius", "length", "of the sphere, cell, disc or cylinder"}, round_shapes,
+                             radius_of, SphereSurface{}.radius, positive()));
   keys.push_back(diameter_key());
   keys.push_back(surface_key({"surface.semi_axes", "length", "along x, y and z"}, "\"ellipsoid\"", axes_of,
                              EllipsoidSurface{}.semi_axes, positive()));

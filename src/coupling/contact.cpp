@@ -112,14 +112,17 @@ void Contact::end(Bodies& bodies, double step) {
     // vertex the two differ by what is fast in either body, which must not drive the other.
     const auto* contact = of(body);
     const auto taken = contact->impulses_of_yielding();
+    const auto masses = contact->masses();
     const auto resistances = contact->resistances();
     Vec3 missing;
     double inertia = 0;
     for (std::size_t v = 0; v < taken.size(); ++v) {
+      if (surface.is_pinned(v)) continue;
       missing += 0.5 * (told[b][v] - taken[v]);
-      inertia += surface.masses[v] + step * resistances[v];
+      inertia += masses[v] + step * resistances[v];
     }
-    for (Vec3& velocity : surface.velocities) velocity += missing / inertia;
+    for (std::size_t v = 0; v < taken.size() && inertia > 0; ++v)
+      if (!surface.is_pinned(v)) surface.velocities[v] += missing / inertia;
   }
 }
 

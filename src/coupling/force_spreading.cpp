@@ -84,8 +84,9 @@ void ForceSpreading::before(const Substep& substep, double dt) {
     auto* contact = contact_.of(*part.body);
     if (contact == nullptr) continue;
     const auto& surface = part.body->surface;
-    contact->add_forces({surface.positions, surface.velocities, mobilities_of(surface, layered_masses(part), time),
-                         elapsed_ + 0.5 * time, time},
+    const auto masses = layered_masses(part);
+    contact->add_forces({surface.positions, surface.velocities, mobilities_of(surface, masses, time),
+                         elapsed_ + 0.5 * time, time, masses},
                         part.of(forces_));
   }
   elapsed_ += time;

@@ -30,7 +30,8 @@ void LocalMass::advance(const VertexTransfer::Part& part, double time) {
     }
     if (contact != nullptr) {
       pushes_.assign(n_vertices, Vec3{});
-      contact->add_forces({surface.positions, surface.velocities, mobilities, elapsed_ + n * step, step}, pushes_);
+      contact->add_forces({surface.positions, surface.velocities, mobilities, elapsed_ + n * step, step, masses_},
+                          pushes_);
       for (std::size_t v = 0; v < n_vertices; ++v) surface.velocities[v] += mobilities[v] * pushes_[v];
     }
     for (std::size_t v = 0; v < n_vertices; ++v) surface.positions[v] += step * surface.velocities[v];
@@ -47,9 +48,9 @@ void LocalMass::predicted(const Substep& substep, double dt, View<FaceX> u, View
     const std::size_t n_vertices = part.size();
     for (std::size_t n = 0; n < n_vertices; ++n) {
       const double fluid = layer() * transfer_.areas()[part.begin + n], mass = surface.masses[n];
-      surface.velocities[n] = surface.is_pinned(n)
-                                  ? Vec3{}
-                                  : (mass * surface.velocities[n] + fluid * velocities_[part.begin + n]) / (mass + fluid);
+      surface.velocities[n] =
+          surface.is_pinned(n) ? Vec3{}
+                               : (mass * surface.velocities[n] + fluid * velocities_[part.begin + n]) / (mass + fluid);
     }
     if (part.kind->config.held) {
       const Vec3 mean = mean_of(part, surface.velocities);
@@ -64,7 +65,8 @@ void LocalMass::predicted(const Substep& substep, double dt, View<FaceX> u, View
       const Vec3 mean = mean_of(part, surface.velocities);
       for (std::size_t n = 0; n < n_vertices; ++n) surface.velocities[n] -= mean;
     }
-    for (std::size_t n = 0; n < n_vertices; ++n) velocities_[part.begin + n] = surface.velocities[n] - velocities_[part.begin + n];
+    for (std::size_t n = 0; n < n_vertices; ++n)
+      velocities_[part.begin + n] = surface.velocities[n] - velocities_[part.begin + n];
   }
   elapsed_ += substep.alpha * dt;
   agree(grid_.ranks(), problem);

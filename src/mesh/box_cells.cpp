@@ -10,7 +10,7 @@ Box box_around(std::span<const Vec3> positions) {
   return box;
 }
 
-BoxCells::BoxCells(std::vector<Box> boxes) : boxes_(std::move(boxes)) {
+BoxCells::BoxCells(std::vector<Box> boxes, double asked) : boxes_(std::move(boxes)) {
   if (boxes_.empty()) return;
   all_ = boxes_[0];
   double mean = 0;
@@ -20,10 +20,10 @@ BoxCells::BoxCells(std::vector<Box> boxes) : boxes_(std::move(boxes)) {
     const Vec3 size = box.upper - box.lower;
     mean += std::max({size.x, size.y, size.z}) / static_cast<double>(boxes_.size());
   }
-  // Cells of the mean size, but not many more of them than boxes.
+  // Cells of the mean size, or of half of what is asked for, but not many more of them than boxes.
   const Vec3 size = all_.upper - all_.lower;
   const double longest = std::max({size.x, size.y, size.z});
-  double cell = std::max(mean, 1e-3 * longest);
+  double cell = std::max({mean, 0.5 * asked, 1e-3 * longest});
   const auto count = [&](int d) { return std::max(1.0, std::floor(size[d] / cell)); };
   const double most = 64.0 + 8.0 * static_cast<double>(boxes_.size());
   if (cell > 0)
@@ -47,16 +47,6 @@ BoxCells::BoxCells(std::vector<Box> boxes) : boxes_(std::move(boxes)) {
   for (std::size_t b = 0; b < boxes_.size(); ++b)
     for_each_cell(boxes_[b],
                   [&](std::size_t at) { items_[static_cast<std::size_t>(next[at]++)] = static_cast<int>(b); });
-}
-
-std::array<int, 3> BoxCells::cell_of(Vec3 x) const {
-  std::array<int, 3> cell{};
-  for (int d = 0; d < 3; ++d) {
-    const double s = (x[d] - all_.lower[d]) * cells_per_length_[d];
-    const int n = n_[static_cast<std::size_t>(d)];
-    cell[static_cast<std::size_t>(d)] = s >= n ? n - 1 : s > 0 ? static_cast<int>(s) : 0;
-  }
-  return cell;
 }
 
 }  // namespace pliant

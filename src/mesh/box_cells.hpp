@@ -43,7 +43,8 @@ Box box_around(std::span<const Vec3> positions);
 /// Boxes sorted into equal cells, so that those that meet another box are found without looking at all.
 class BoxCells {
  public:
-  explicit BoxCells(std::vector<Box> boxes);
+  /// `asked`: the size of the boxes that will be asked for.
+  explicit BoxCells(std::vector<Box> boxes, double asked = 0);
 
   /// Calls visit(index) once for each box that meets `box`.
   template <class Visit>
@@ -53,21 +54,26 @@ class BoxCells {
     for (int k = first[2]; k <= last[2]; ++k)
       for (int j = first[1]; j <= last[1]; ++j)
         for (int i = first[0]; i <= last[0]; ++i) {
-          const std::array<int, 3> cell{i, j, k};
-          const auto at = index_of(cell);
+          const auto at = index_of({i, j, k});
           for (int n = begin_[at]; n < begin_[at + 1]; ++n) {
             const Box& other = boxes_[static_cast<std::size_t>(items_[static_cast<std::size_t>(n)])];
             if (!other.meets(box)) continue;
             // A pair that shares several cells belongs to the one with the lower corner of what they share.
-            const Vec3 corner{std::max(box.lower.x, other.lower.x), std::max(box.lower.y, other.lower.y),
-                              std::max(box.lower.z, other.lower.z)};
-            if (cell_of(corner) == cell) visit(items_[static_cast<std::size_t>(n)]);
+            if (cell_along(0, std::max(box.lower.x, other.lower.x)) == i &&
+                cell_along(1, std::max(box.lower.y, other.lower.y)) == j &&
+                cell_along(2, std::max(box.lower.z, other.lower.z)) == k)
+              visit(items_[static_cast<std::size_t>(n)]);
           }
         }
   }
 
  private:
-  std::array<int, 3> cell_of(Vec3 x) const;
+  int cell_along(int d, double x) const {
+    const double s = (x - all_.lower[d]) * cells_per_length_[d];
+    const int n = n_[static_cast<std::size_t>(d)];
+    return s >= n ? n - 1 : s > 0 ? static_cast<int>(s) : 0;
+  }
+  std::array<int, 3> cell_of(Vec3 x) const { return {cell_along(0, x.x), cell_along(1, x.y), cell_along(2, x.z)}; }
   std::size_t index_of(const std::array<int, 3>& cell) const {
     return (static_cast<std::size_t>(cell[2]) * static_cast<std::size_t>(n_[1]) + static_cast<std::size_t>(cell[1])) *
                static_cast<std::size_t>(n_[0]) +

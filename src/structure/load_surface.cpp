@@ -11,6 +11,7 @@
 #include "mesh/shapes/ellipsoid.hpp"
 #include "mesh/shapes/icosphere.hpp"
 #include "mesh/shapes/plate.hpp"
+#include "mesh/shapes/red_cell.hpp"
 
 namespace pliant {
 namespace {
@@ -19,6 +20,7 @@ struct ShapeMaker {
 
   Surface operator()(const SphereSurface& s) const { return make_icosphere(s.frequency, s.radius); }
   Surface operator()(const EllipsoidSurface& s) const { return make_ellipsoid(s.frequency, s.semi_axes); }
+  Surface operator()(const RedCellSurface& s) const { return make_red_cell(s.frequency, s.radius); }
   Surface operator()(const PlateSurface& s) const { return make_plate(s.size[0], s.size[1], s.edge); }
   Surface operator()(const DiscSurface& s) const { return make_disc(s.radius, s.edge); }
   Surface operator()(const HalfDiscSurface& s) const { return make_half_disc(s.radius, s.edge); }

@@ -12,14 +12,17 @@
 namespace pliant {
 namespace {
 
-/// Shares of the pressure. Vertices of either surface bear a quarter each. Where two even surfaces face each other,
-/// 2/pi * 3.46^2 = 7.64 pairs of edges cross in an area of the product of their lengths.
-constexpr double point_share = 0.25;
-constexpr double edge_share = 0.5 / 7.64;
+/// Vertices of either surface bear half of the pressure each. Edges are there for what vertices do not see, the
+/// crossing of two edges, and only where that is near: their range is half of the shorter one. Where two even surfaces
+/// face each other, 2/pi * 3.46^2 = 7.64 pairs of edges cross in an area of the product of their lengths; they add a
+/// quarter.
+constexpr double point_share = 0.5;
+constexpr double edge_share = 0.25 / 7.64;
+constexpr double edge_range = 0.5;
 /// Pairs of one surface are not to come nearer than this part of what they are apart at rest, if that is less than the
 /// range.
 constexpr double rest_fraction = 1.0 / 3.0;
-constexpr double own_skin = 0.25;       // of the range
+constexpr double own_skin = 0.5;        // of the range
 constexpr double floor_fraction = 0.2;  // the same
 /// Of two faces that a vertex touches in about one direction the nearer one counts: cosine of 60 degrees.
 constexpr double same_direction = 0.5;
@@ -134,19 +137,85 @@ SurfaceContact::Nodes SurfaceContact::nodes_of(const ContactMotion& motion) {
           mirrored_velocities_, obstacles_.velocities, motion.step};
 }
 
+/// Vertices near which the surface is bent or pressed together so much that it might touch itself close by: a hinge
+/// beyond 45 degrees, or an edge below 0.6 of its length at rest, up to three edges away. By Schur's theorem the ends
+/// of an arc of length s and curvature 45 degrees an edge are no nearer than 0.63 s up to s = 3.5 edges, and 0.6 * 0.63
+/// is more than rest_fraction.
+std::vector<char> SurfaceContact::find_bent(std::span<const Vec3> positions) const {
+  constexpr double bent = 0.7071, pressed = 0.6;
+  std::vector<char> marks(positions.size(), 0);
+  const auto normals = face_normals(mesh_, positions);
+  for (int e = 0; e < mesh_.n_edges(); ++e) {
+    const auto [a, b] = mesh_.vertices_of_edge()[static_cast<std::size_t>(e)];
+    const auto [f, g] = mesh_.faces_of_edge()[static_cast<std::size_t>(e)];
+    const bool folds =
+        g >= 0 && !(dot(normals[static_cast<std::size_t>(f)], normals[static_cast<std::size_t>(g)]) > bent);
+    if (folds || norm(positions[a] - positions[b]) < pressed * norm(reference_[a] - reference_[b]))
+      marks[static_cast<std::size_t>(a)] = marks[static_cast<std::size_t>(b)] = 1;
+  }
+  if (std::find(marks.begin(), marks.end(), 1) == marks.end()) return marks;
+  for (int ring = 0; ring < 3; ++ring) {
+    const auto before = marks;
+    for (const auto& [a, b] : mesh_.vertices_of_edge()) {
+      if (before[static_cast<std::size_t>(a)]) marks[static_cast<std::size_t>(b)] = 1;
+      if (before[static_cast<std::size_t>(b)]) marks[static_cast<std::size_t>(a)] = 1;
+    }
+  }
+  return marks;
+}
+
 void SurfaceContact::find_own_pairs(std::span<const Vec3> positions) {
   listed_at_.assign(positions.begin(), positions.end());
   own_points_.clear(), own_edges_.clear();
   const double skin = own_skin * law_.range, reach = law_.range + skin;
   const auto faces = mesh_.vertices_of_face();
   const auto edges = mesh_.vertices_of_edge();
+  const auto marks = find_bent(positions);
+  double longest = 0, mean_at_rest = 0;
+  for (const auto& [a, b] : edges) {
+    longest = std::max(longest, norm(positions[a] - positions[b]));
+    mean_at_rest += norm(reference_[a] - reference_[b]) / static_cast<double>(edges.size());
+  }
+  // What is this near at rest does not touch where the surface is smooth.
+  const double local = std::min(reach + mean_at_rest, 3.5 * mean_at_rest);
+  const auto is_local = [&](int a, int b) {
+    const Vec3 d = reference_[static_cast<std::size_t>(a)] - reference_[static_cast<std::size_t>(b)];
+    return !marks[static_cast<std::size_t>(a)] && dot(d, d) < local * local;
+  };
+
+  // No point of a face is further than 0.58 of its longest edge from a corner, none of an edge further than half of it
+  // from an end: where no vertices are near each other, nothing is.
+  const double to_corner = 0.58 * longest, between_ends = (1 + edge_range) * longest + skin;
+  bool has_near_edges = false;
+  std::vector<int> near_faces;
   {
-    const BoxCells cells(boxes_of(faces, positions));
+    std::vector<std::array<int, 1>> vertices;
+    for (int v = 0; v < mesh_.n_vertices(); ++v) vertices.push_back({v});
+    const double far = std::max(reach + to_corner, between_ends);
+    const BoxCells cells(boxes_of(vertices, positions), 2 * far);
     for (int v = 0; v < mesh_.n_vertices(); ++v) {
+      const Vec3 x = positions[static_cast<std::size_t>(v)], at_rest = reference_[static_cast<std::size_t>(v)];
+      bool is_near = false;
+      cells.for_each_meeting(Box{x, x}.inflated(far), [&](int w) {
+        if (is_local(v, w) || v == w) return;
+        const double distance = norm(x - positions[static_cast<std::size_t>(w)]);
+        has_near_edges |= distance <= between_ends;
+        const double range =
+            std::min(law_.range, rest_fraction * norm(at_rest - reference_[static_cast<std::size_t>(w)]));
+        is_near |= distance <= range + skin + to_corner;
+      });
+      if (is_near) near_faces.push_back(v);
+    }
+  }
+  if (!near_faces.empty()) {
+    const BoxCells cells(boxes_of(faces, positions), 2 * reach);
+    for (const int v : near_faces) {
       const Vec3 x = positions[static_cast<std::size_t>(v)], at_rest = reference_[static_cast<std::size_t>(v)];
       cells.for_each_meeting(Box{x, x}.inflated(reach), [&](int f) {
         const Face& face = faces[static_cast<std::size_t>(f)];
-        if (share_a_vertex(std::array{v}, face)) return;
+        if ((is_local(v, face[0]) && is_local(v, face[1]) && is_local(v, face[2])) ||
+            share_a_vertex(std::array{v}, face))
+          return;
         const double distance = point_face_distance(x, face, positions);
         if (distance > reach) return;
         const double range = std::min(law_.range, rest_fraction * point_face_distance(at_rest, face, reference_));
@@ -160,22 +229,26 @@ void SurfaceContact::find_own_pairs(std::span<const Vec3> positions) {
       });
     }
   }
-  auto boxes = boxes_of(edges, positions);
-  const BoxCells cells(boxes);
-  for (int e = 0; e < mesh_.n_edges(); ++e) {
-    const auto& a = edges[static_cast<std::size_t>(e)];
-    const Vec3 a0 = positions[a[0]], a1 = positions[a[1]], rest0 = reference_[a[0]], rest1 = reference_[a[1]];
-    cells.for_each_meeting(boxes[static_cast<std::size_t>(e)].inflated(reach), [&](int other) {
-      if (other <= e) return;
-      const auto& b = edges[static_cast<std::size_t>(other)];
-      if (share_a_vertex(a, b)) return;
-      const double distance = edge_edge_distance(a0, a1, positions[b[0]], positions[b[1]]);
-      if (distance > reach) return;
-      const double rest = edge_edge_distance(rest0, rest1, reference_[b[0]], reference_[b[1]]);
-      const double range = std::min(law_.range, rest_fraction * rest);
-      if (range > 0 && distance <= range + skin)
-        own_edges_.push_back({{a[0], a[1], b[0], b[1]}, -1, Partner::itself, edge_share * law_.strength, range, {}});
-    });
+  if (has_near_edges) {
+    auto boxes = boxes_of(edges, positions);
+    const BoxCells cells(boxes);
+    for (int e = 0; e < mesh_.n_edges(); ++e) {
+      const auto& a = edges[static_cast<std::size_t>(e)];
+      const Vec3 a0 = positions[a[0]], a1 = positions[a[1]], rest0 = reference_[a[0]], rest1 = reference_[a[1]];
+      const double most = std::min(law_.range, edge_range * norm(a1 - a0));
+      cells.for_each_meeting(boxes[static_cast<std::size_t>(e)].inflated(most + skin), [&](int other) {
+        if (other <= e) return;
+        const auto& b = edges[static_cast<std::size_t>(other)];
+        if ((is_local(a[0], b[0]) && is_local(a[1], b[1])) || share_a_vertex(a, b)) return;
+        const Vec3 b0 = positions[b[0]], b1 = positions[b[1]];
+        const double distance = edge_edge_distance(a0, a1, b0, b1);
+        if (distance > most + skin) return;
+        const double rest = edge_edge_distance(rest0, rest1, reference_[b[0]], reference_[b[1]]);
+        const double range = std::min({most, edge_range * norm(b1 - b0), rest_fraction * rest});
+        if (range > 0 && distance <= range + skin)
+          own_edges_.push_back({{a[0], a[1], b[0], b[1]}, -1, Partner::itself, edge_share * law_.strength, range, {}});
+      });
+    }
   }
   const auto by_nodes = [](const Pair& a, const Pair& b) { return a.nodes < b.nodes; };
   std::sort(own_points_.begin(), own_points_.end(), by_nodes);
@@ -204,7 +277,7 @@ void SurfaceContact::find_foreign_pairs(const Nodes& nodes, double remaining) {
                     nodes.position(face[2], partner)};
   };
 
-  const BoxCells obstacle_faces(boxes_of(obstacles_.faces, nodes.obstacles));
+  const BoxCells obstacle_faces(boxes_of(obstacles_.faces, nodes.obstacles), 2 * near);
   for (int v = 0; v < n_own; ++v) {
     const double reach = near + remaining * speed(v);
     obstacle_faces.for_each_meeting(both_places(std::array{v}).inflated(reach), [&](int f) {
@@ -223,7 +296,7 @@ void SurfaceContact::find_foreign_pairs(const Nodes& nodes, double remaining) {
 
   std::vector<std::array<int, 1>> points;
   for (int o = 0; o < static_cast<int>(obstacles_.positions.size()); ++o) points.push_back({o});
-  const BoxCells obstacle_points(boxes_of(points, nodes.obstacles));
+  const BoxCells obstacle_points(boxes_of(points, nodes.obstacles), 2 * near);
   for (const Face& face : faces) {
     const double reach = near + remaining * std::max({speed(face[0]), speed(face[1]), speed(face[2])});
     obstacle_points.for_each_meeting(both_places(face).inflated(reach), [&](int o) {
@@ -239,22 +312,26 @@ void SurfaceContact::find_foreign_pairs(const Nodes& nodes, double remaining) {
     });
   }
 
-  const BoxCells obstacle_edges(boxes_of(obstacle_edges_, nodes.obstacles));
+  const BoxCells obstacle_edges(boxes_of(obstacle_edges_, nodes.obstacles), 2 * near);
   for (const auto& edge : edges) {
-    const double reach = near + remaining * std::max(speed(edge[0]), speed(edge[1]));
+    const double length = norm(start_[static_cast<std::size_t>(edge[1])] - start_[static_cast<std::size_t>(edge[0])]);
+    const double most = std::min(law_.range, edge_range * length);
+    const double reach = most - law_.range + near + remaining * std::max(speed(edge[0]), speed(edge[1]));
     obstacle_edges.for_each_meeting(both_places(edge).inflated(reach), [&](int e) {
       const int part = part_of_edge_[static_cast<std::size_t>(e)];
       const auto& other = obstacle_edges_[static_cast<std::size_t>(e)];
       const auto partner = partner_of(part);
-      if (edge_edge_distance(nodes.position(edge[0], partner), nodes.position(edge[1], partner),
-                             nodes.obstacles[static_cast<std::size_t>(other[0])],
-                             nodes.obstacles[static_cast<std::size_t>(other[1])]) > reach)
+      const Vec3 b0 = nodes.obstacles[static_cast<std::size_t>(other[0])],
+                 b1 = nodes.obstacles[static_cast<std::size_t>(other[1])];
+      if (edge_edge_distance(nodes.position(edge[0], partner), nodes.position(edge[1], partner), b0, b1) > reach)
         return;
+      const double range = std::min(most, edge_range * norm(obstacles_.positions[static_cast<std::size_t>(other[1])] -
+                                                            obstacles_.positions[static_cast<std::size_t>(other[0])]));
       foreign_edges_.push_back({{edge[0], edge[1], n_own + other[0], n_own + other[1]},
                                 part,
                                 partner,
                                 edge_share * law_.strength,
-                                law_.range,
+                                range,
                                 {}});
     });
   }
@@ -435,6 +512,7 @@ void SurfaceContact::add_forces(const ContactMotion& motion, std::span<Vec3> for
   constexpr double tolerance = 1e-3;  // of the range
   const Nodes nodes = nodes_of(motion);
   renew_pairs(nodes, motion.elapsed);
+  if (!motion.masses.empty()) masses_.assign(motion.masses.begin(), motion.masses.end());
   for (std::size_t v = 0; v < resistances_.size(); ++v)
     if (motion.step > 0 && motion.mobilities[v] > 0)
       resistances_[v] = std::max(0.0, 1.0 / motion.mobilities[v] - masses_[v] / motion.step);

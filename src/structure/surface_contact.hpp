@@ -39,6 +39,7 @@ struct ContactMotion {
   std::span<const double> mobilities;  ///< change of those velocities by a unit of force; step / mass without drag
   double elapsed = 0;                  ///< since the obstacles were as told
   double step = 0;
+  std::span<const double> masses = {};  ///< that move with the vertices, of fluid too; none: the body's own
 };
 
 /// Contact of one deformable body with others, with walls and with itself.
@@ -60,7 +61,7 @@ class SurfaceContact {
   SurfaceContact(const ContactLaw& law, const RepulsionBox& walls) : law_(law), walls_(walls) {}
 
   /// Beyond the range, what comes near within a step is followed; faces further off than this at the start are not.
-  static double skin(double range) { return 0.5 * range; }
+  static double skin(double range) { return 0.25 * range; }
 
   /// A new step of length `span`: obstacles as they are now. Looks for pairs of the surface with itself if it has
   /// changed enough.
@@ -74,7 +75,8 @@ class SurfaceContact {
   /// Force times time since `begin`: on each vertex by other deformable bodies; on each vertex of the obstacles.
   std::span<const Vec3> impulses_of_yielding() const { return own_impulses_; }
   std::span<const Vec3> impulses_on_obstacles() const { return obstacle_impulses_; }
-  /// The drag over velocity that the last substep's mobilities say, of each vertex.
+  /// Of each vertex in the last substep: the mass, and the drag over velocity that the mobilities say.
+  std::span<const double> masses() const { return masses_; }
   std::span<const double> resistances() const { return resistances_; }
 
   /// The least gap that the last substep began with; more than the range: none within it.
@@ -105,6 +107,7 @@ class SurfaceContact {
 
   struct Nodes;
   Nodes nodes_of(const ContactMotion& motion);
+  std::vector<char> find_bent(std::span<const Vec3> positions) const;
   void find_own_pairs(std::span<const Vec3> positions);
   void find_foreign_pairs(const Nodes& nodes, double remaining);
   void renew_pairs(const Nodes& nodes, double elapsed);

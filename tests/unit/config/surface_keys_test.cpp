@@ -24,6 +24,7 @@ Shape shape_of(const std::string& surface) {
 TEST(SurfaceKeys, MakeEveryShape) {
   EXPECT_EQ(shape_of<EllipsoidSurface>("shape = \"ellipsoid\", semi_axes = [1, 2, 3], frequency = 5").semi_axes,
             (Vec3{1, 2, 3}));
+  EXPECT_EQ(shape_of<RedCellSurface>("shape = \"red-cell\", radius = 3.91, frequency = 5").radius, 3.91);
   EXPECT_EQ(shape_of<PlateSurface>("shape = \"plate\", size = [2, 1], edge = 0.2").size[0], 2);
   EXPECT_EQ(shape_of<DiscSurface>("shape = \"disc\", diameter = 3, edge = 0.2").radius, 1.5);
   EXPECT_EQ(shape_of<HalfDiscSurface>("shape = \"half-disc\", radius = 2, edge = 0.2").edge, 0.2);

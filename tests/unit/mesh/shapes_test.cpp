@@ -13,6 +13,7 @@
 #include "mesh/shapes/disc.hpp"
 #include "mesh/shapes/ellipsoid.hpp"
 #include "mesh/shapes/plate.hpp"
+#include "mesh/shapes/red_cell.hpp"
 
 namespace pliant {
 namespace {
@@ -144,7 +145,47 @@ TEST(Shapes, EllipsoidsKeepGoodAnglesUpToAnAspectRatioOfTwo) {
     }
 }
 
+/// Evans & Fung's cell of radius 3.91 micrometres: 94.1 cubic and 134.1 square micrometres, 0.81 thick in the
+/// middle, 2.57 where it is thickest.
+TEST(Shapes, RedCellsAreThoseOfEvansAndFung) {
+  constexpr double radius = 3.91;
+  const auto volume = [](const Surface& s) { return enclosed_volume(s.mesh, s.positions); };
+  const auto area = [](const Surface& s) { return total_area(s.mesh, s.positions); };
+  // The integral of 2 pi r times the thickness, by substitution.
+  const double exact = 2 * pi * radius * radius * radius * (0.207 / 3 + 2.003 * 2 / 15 - 1.123 * 8 / 105);
+  EXPECT_NEAR(exact, 94.1, 0.05);
+  expect_second_order([&](int n) { return volume(make_red_cell(8 * n, radius)); }, exact);
+  // The surface of revolution, as narrow frustums.
+  const auto half_thickness = [](double r) {
+    const double q2 = r * r / (radius * radius);
+    return 0.5 * radius * std::sqrt(std::max(0.0, 1 - q2)) * (0.207 + q2 * (2.003 - 1.123 * q2));
+  };
+  double exact_area = 0;
+  constexpr int rings = 100000;
+  for (int i = 0; i < rings; ++i) {
+    const double inner = radius * std::sin(0.5 * pi * i / rings), outer = radius * std::sin(0.5 * pi * (i + 1) / rings);
+    exact_area += 2 * pi * (inner + outer) * std::hypot(outer - inner, half_thickness(outer) - half_thickness(inner));
+  }
+  EXPECT_NEAR(exact_area, 134.1, 0.05);
+  expect_second_order([&](int n) { return area(make_red_cell(8 * n, radius)); }, exact_area);
+  for (const int frequency : {2, 5, 8, 16}) {
+    const auto cell = make_red_cell(frequency, radius);
+    expect_good(cell, Closure::closed, 2, 45);
+    double highest = 0, widest = 0;
+    for (const Vec3 x : cell.positions) {
+      EXPECT_NEAR(std::abs(x.z), half_thickness(std::hypot(x.x, x.y)), 1e-6);
+      highest = std::max(highest, x.z);
+      widest = std::max(widest, std::hypot(x.x, x.y));
+    }
+    EXPECT_LE(2 * highest, 2.58);
+    if (frequency >= 8) { EXPECT_GT(2 * highest, 2.54); }
+    if (frequency % 2 == 0) { EXPECT_NEAR(widest, radius, 1e-6); }
+  }
+}
+
 TEST(Shapes, RefuseBadSizesAllAtOnce) {
+  EXPECT_THROW(make_red_cell(0, 1), InputError);
+  EXPECT_THROW(make_red_cell(4, -1), InputError);
   EXPECT_THROW(make_ellipsoid(0, {1, 1, 1}), InputError);
   EXPECT_THROW(make_ellipsoid(4, {1, -1, 1}), InputError);
   EXPECT_THROW(make_disc(1, 1e-5), InputError);

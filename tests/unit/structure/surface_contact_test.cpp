@@ -69,7 +69,9 @@ TEST(SurfaceContact, ParallelSurfacesBearThePressureOfTheLaw) {
     contact.begin(upper, obstacles_of(lower, false), 0.01);
     const Vec3 force = sum(forces_at_rest(contact, upper));
     const double floor = std::min(range / 5, gap / 2), pressure = 10 * (range - gap) / (gap - floor);
-    EXPECT_NEAR(force.z / 0.9, pressure, 0.2 * pressure) << gap;  // that is what "about" means
+    // Edges add up to a quarter where the gap is below half of their length.
+    EXPECT_GT(force.z / 0.9, 0.9 * pressure) << gap;
+    EXPECT_LT(force.z / 0.9, (gap < 0.04 ? 1.35 : 1.1) * pressure) << gap;
     EXPECT_LT(std::hypot(force.x, force.y), 0.02 * force.z);
   }
 }
