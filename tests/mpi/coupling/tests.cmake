@@ -9,3 +9,5 @@ pliant_test(hinge_coupling_test SOURCES ${CMAKE_CURRENT_LIST_DIR}/hinge_coupling
 target_include_directories(hinge_coupling_test PRIVATE ${CMAKE_SOURCE_DIR}/tests)
 pliant_test(coupling_sheet_test SOURCES ${CMAKE_CURRENT_LIST_DIR}/sheet_test.cpp LIBS pliant_simulation RANKS 1 3)
 target_include_directories(coupling_sheet_test PRIVATE ${CMAKE_SOURCE_DIR}/tests)
+pliant_test(coupling_interface_test SOURCES ${CMAKE_CURRENT_LIST_DIR}/interface_test.cpp LIBS pliant_simulation RANKS 1 3)
+target_include_directories(coupling_interface_test PRIVATE ${CMAKE_SOURCE_DIR}/tests)
