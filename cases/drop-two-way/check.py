@@ -94,18 +94,21 @@ def draw(results, file):
     over_time.legend(loc="center right", bbox_to_anchor=(1, 0.55))
     for capillary, values in limits(results).items():
         d, slope = values["d"]["limit"], values["d"]["slope"]
+        end = d - values["d"]["grid"] - values["d"]["re"]
         reference = REFERENCE[capillary][0]
         colour = "#08306b" if capillary == 0.1 else "#d95f0e"
         for run, s in results.items():
             if run[0] == capillary and run[4] == 10.0 and run[2] == run[3]:
                 over_box.plot(run[1]**-3, s.d / reference, {6: "v", 8: "o", 12: "^"}[run[2]], color=colour)
         over_box.plot([0, 0.005], [d / reference, d * (1 + slope * 0.005) / reference], color=colour, lw=0.8, label=f"Ca = {capillary:g}")
+        over_box.plot(0, end / reference, "*", color=colour, ms=10, clip_on=False)
     over_box.axhspan(1 - D_LIMIT / 100, 1 + D_LIMIT / 100, color="0.92", zorder=0)
     over_box.set(xlim=(0, 0.005), xlabel=r"$(R/L)^3$", ylabel="D over that of the boundary integral")
     over_box.plot([], [], "v", color="0.4", label="6 cells a radius")
     over_box.plot([], [], "o", color="0.4", label="8")
     over_box.plot([], [], "^", color="0.4", label="12")
-    over_box.legend()
+    over_box.plot([], [], "*", color="0.4", ms=10, label="no box, no inertia, fine grid")
+    over_box.legend(fontsize=8)
     figure.savefig(file, dpi=110)
 
 

@@ -15,6 +15,7 @@ namespace pliant {
 /// area, meet in each substep at V' = (m V + rho h U*)/(m + rho h), U* the predicted velocity; what this changes in the
 /// layer is spread, so that momentum is conserved. Pinned vertices are infinitely heavy. A body that is held gives the
 /// flow what keeps it at rest: a closed one its centroid, by a body force inside, an open one the mean of its vertices.
+/// The pressure inside a closed body is shown without the even part of its jump at the surface, which is not spread.
 ///
 /// The vertices of a liquid interface (surface tension alone, without mesh_control) move along its normals and are kept
 /// even along the surface: what they do there, the flow does not feel. With mesh_control it does, and the interface
@@ -39,6 +40,7 @@ class ForceSpreading : public SoftBodies {
   void drift(double time);
   /// Of the enclosed volume's centroid, or the mean over an open surface.
   Vec3 common_velocity(const VertexTransfer::Part& part, std::span<const Vec3> velocities) const;
+  void remove_mean_pressure(const VertexTransfer::Part& part, std::span<Vec3> forces) const;
   /// The force that holds a closed body, from what it remembers, and what it is to remember.
   void add_hold(const VertexTransfer::Part& part, double time, std::span<Vec3> forces) const;
   void adjust_hold(const VertexTransfer::Part& part, double dt, Vec3 left) const;

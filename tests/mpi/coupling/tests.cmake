@@ -13,3 +13,5 @@ pliant_test(coupling_soft_bodies_test SOURCES ${CMAKE_CURRENT_LIST_DIR}/soft_bod
   RANKS 1 2 3 4)
 pliant_test(deformable_contact_test SOURCES ${CMAKE_CURRENT_LIST_DIR}/deformable_contact_test.cpp LIBS pliant_simulation
   RANKS 1 2 3 4)
+pliant_test(coupling_interface_test SOURCES ${CMAKE_CURRENT_LIST_DIR}/interface_test.cpp LIBS pliant_simulation RANKS 1 3)
+target_include_directories(coupling_interface_test PRIVATE ${CMAKE_SOURCE_DIR}/tests)
