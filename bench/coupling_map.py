@@ -4,12 +4,13 @@
 A spherical membrane of R = 1 in Taylor-Green vortices of speed U = 1, in a periodic box of 5 R, Re = U R / nu = 1000.
 m: mass a unit of area over rho R; E: Young's modulus times thickness over rho U^2 R. For every scheme, m and E the
 largest step dt U/h is found with which the run goes to the end without a gain of energy, and for it: the energy that is
-left, drift of the volume, slip, and seconds per unit of time. Writes docs/coupling-map.json and, with --plot, the
-figure from it.
+left, drift of the volume, slip, and seconds per unit of time. Results are added to a JSON file, from which --table
+prints Markdown and --plot draws the figure.
 
 Usage: bench/coupling_map.py [--program FILE] [--cells-a-radius 8] [--end 20] [--schemes a,b] [--masses ..]
                              [--stiffnesses ..] [--json FILE]
        bench/coupling_map.py --plot FIGURE --json FILE
+       bench/coupling_map.py --table --json FILE
 """
 import argparse
 import csv
@@ -126,6 +127,22 @@ def measure(arguments):
                     json.dump(results, stream, indent=1)
 
 
+def table(arguments):
+    """Markdown of all results: largest step, energy left, volume given back or lost, slip, seconds a unit of time."""
+    with open(arguments.json) as stream:
+        results = json.load(stream)
+    print("| scheme | R/h | m | E | largest dt U/h | energy left | volume | slip | s a unit of time | iterations |")
+    print("|---|---|---|---|---|---|---|---|---|---|")
+    for r in results:
+        head = "| {} | {} | {:g} | {:g} |".format(r["scheme"], r["cells"], r["mass"], r["stiffness"])
+        if r["step"] is None:
+            print(head + " none | | | | | |")
+        else:
+            print(head + " {:g} | {:.2f} | {:.1e} | {:.3f} | {:.2g} | {} |".format(
+                r["step"], r["energy"], max(r["volume"], r["restored"]), r["slip"], r["seconds"],
+                "{:.1f}".format(r["iterations"]) if r["iterations"] else ""))
+
+
 def plot(arguments):
     import matplotlib
     matplotlib.use("Agg")
@@ -170,10 +187,13 @@ def main():
     parser.add_argument("--masses", type=float, nargs="+", default=[1, 0.1, 0.03, 0.003])
     parser.add_argument("--stiffnesses", type=float, nargs="+", default=[1, 30, 750])
     parser.add_argument("--patience", type=float, default=600, help="seconds for one run")
-    parser.add_argument("--json", default=os.path.join(here, "docs", "coupling-map.json"))
-    parser.add_argument("--plot")
+    parser.add_argument("--json", default="coupling-map.json")
+    parser.add_argument("--plot", metavar="FIGURE")
+    parser.add_argument("--table", action="store_true")
     arguments = parser.parse_args()
-    if arguments.plot:
+    if arguments.table:
+        table(arguments)
+    elif arguments.plot:
         plot(arguments)
     else:
         measure(arguments)

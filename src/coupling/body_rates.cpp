@@ -18,6 +18,11 @@ double convective_rate(const Bodies& bodies) {
   double largest = 0;
   for (const Body& body : bodies.own()) {
     const auto& kind = bodies.kind_of(body);
+    if (!kind.has_pose() && kind.forces_flow()) {
+      for (const Vec3 v : body.surface.velocities)
+        largest = std::max(largest, bodies.grid().convective_rate({std::abs(v.x), std::abs(v.y), std::abs(v.z)}));
+      continue;
+    }
     if (!kind.has_pose() || !kind.acts_on_flow() || kind.config.motion == MotionKind::fixed) continue;
     largest = std::max(largest, rate_of(body.pose, extent_of(kind), bodies.grid()));
   }

@@ -31,6 +31,32 @@ std::string describe(const BodyKind& kind, long copies) {
   return text;
 }
 
+std::vector<std::string> summarize(const Bodies& bodies) {
+  std::vector<std::string> lines;
+  for (std::size_t k = 0; k < bodies.kinds().size(); ++k) {
+    const auto& kind = bodies.kinds()[k];
+    if (kind.has_pose() || !kind.acts_on_flow()) continue;
+    double volume = 0, restored = 0, slip = 0;
+    for (const Body& body : bodies.own()) {
+      if (body.kind != k) continue;
+      slip = std::max(slip, body.slip.rms());
+      restored = std::max(restored, std::abs(body.volume_restored));
+      if (kind.is_closed())
+        volume = std::max(volume, std::abs(enclosed_volume(body.surface.mesh, body.surface.positions) /
+                                               kind.displaced.volume - 1));
+    }
+    const auto& ranks = bodies.grid().ranks();
+    volume = ranks.max(volume);
+    restored = ranks.max(restored);
+    slip = ranks.max(slip);
+    auto text = fmt::format("body {}: slip {:.2g} (rms, of the worst body at the end)", kind.config.name, slip);
+    if (kind.is_closed())
+      text += fmt::format(", volume off by {:.2g} of it, {:.2g} of it given back during the run", volume, restored);
+    lines.push_back(std::move(text));
+  }
+  return lines;
+}
+
 std::vector<std::string> foresee(const BodyKind& kind, const Grid& grid, double step) {
   std::vector<std::string> warnings;
   if (kind.has_pose() || !kind.acts_on_flow()) return warnings;

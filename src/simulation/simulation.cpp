@@ -193,6 +193,7 @@ RunResult Simulation::Impl::run(const Simulation& self, const Observer& observer
   try {
     const auto result = loop(self, observer, signals);
     progress.finish();
+    for (const auto& line : summarize(bodies)) log.info("{}", line);
     if (result.end == RunEnd::signal) {
       report(fmt::format("stopped by signal {}", result.signal));
       log.info("stopped by signal {} at step {}, t = {:.6g}; the outputs up to here are in {}", result.signal,
