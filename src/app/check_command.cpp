@@ -14,6 +14,7 @@
 #include "core/error.hpp"
 #include "coupling/added_mass.hpp"
 #include "coupling/describe_kind.hpp"
+#include "coupling/local_mass.hpp"
 #include "coupling/make_body_kind.hpp"
 #include "coupling/one_way.hpp"
 #include "flow/flow_solver.hpp"
@@ -125,7 +126,7 @@ void print_softness(const BodyKind& kind, double step) {
   constexpr double largest_alpha = 8.0 / 15;  // of a substep of the flow
   fmt::print("#   stiffness  none for body {} of {} vertices: {} substeps in the longest substep of the flow\n",
              kind.config.name, kind.prototype.mesh.n_vertices(),
-             substeps_for(largest_alpha * step, kind.layered_limit, kind.config.name));
+             local_mass_substeps(largest_alpha, step, kind.layered_limit, kind.config.name));
 }
 
 void print_patches(const CaseConfig& config, const Grid& grid) {

@@ -1,6 +1,7 @@
 #include "coupling/local_mass.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/error.hpp"
 #include "mesh/geometry.hpp"
@@ -9,17 +10,24 @@
 
 namespace pliant {
 
+int local_mass_substeps(double alpha, double step, double limit, const std::string& body) {
+  // The parts of the flow's substeps are 8, 2 and 5 fifteenths.
+  constexpr int parts = 15;
+  return static_cast<int>(std::lround(alpha * parts)) * substeps_for(step / parts, limit, body);
+}
+
 LocalMass::LocalMass(const Grid& grid, const CaseConfig& config, Bodies& bodies, Contact& contact)
     : SoftBodies(grid, config, bodies, contact, CouplingKind::local_mass) {}
 
 // Symplectic Euler, with the layer as part of the mass.
-void LocalMass::advance(const VertexTransfer::Part& part, double time) {
+void LocalMass::advance(const VertexTransfer::Part& part, double alpha, double dt) {
   auto& surface = part.body->surface;
   const std::size_t n_vertices = surface.positions.size();
   forces_.resize(n_vertices);
   masses_ = layered_masses(part);
-  const int substeps = surface.substeps.value_or(substeps_for(time, part.kind->layered_limit, surface.name));
-  const double step = time / substeps;
+  const int substeps =
+      surface.substeps.value_or(local_mass_substeps(alpha, dt, part.kind->layered_limit, surface.name));
+  const double step = alpha * dt / substeps;
   auto* contact = contact_.of(*part.body);
   const auto mobilities = contact != nullptr ? mobilities_of(surface, masses_, step) : std::vector<double>{};
   for (int n = 0; n < substeps; ++n) {
@@ -57,7 +65,7 @@ void LocalMass::predicted(const Substep& substep, double dt, View<FaceX> u, View
       for (Vec3& velocity : surface.velocities) velocity -= mean;
     }
     try {
-      advance(part, substep.alpha * dt);
+      advance(part, substep.alpha, dt);
     } catch (const RunError& error) {
       if (problem.empty()) problem = error.what();
     }

@@ -1,7 +1,15 @@
 #pragma once
+#include <string>
+
 #include "coupling/soft_bodies.hpp"
 
 namespace pliant {
+
+/// Steps of a membrane, stable up to `limit`, within the part `alpha` of a fluid step: all of a fluid step have the same
+/// length. What a symplectic step conserves is an energy that depends on its length; lengths that alternate from substep
+/// to substep of the flow swing the fastest vibrations up, where the mass of the wall outweighs its layer.
+/// Throws RunError if there would be too many.
+int local_mass_substeps(double alpha, double step, double limit, const std::string& body);
 
 /// Local-mass: in each substep a membrane moves together with the layer of fluid around it, rho h a unit of area, in
 /// steps as small as its stiffness wants; the flow takes over what this changed. For light and stiff membranes, where
@@ -24,7 +32,7 @@ class LocalMass : public SoftBodies {
   void predicted(const Substep& substep, double dt, View<FaceX> u, View<FaceY> v, View<FaceZ> w);
 
  private:
-  void advance(const VertexTransfer::Part& part, double time);
+  void advance(const VertexTransfer::Part& part, double alpha, double dt);
 
   std::vector<Vec3> velocities_, forces_, pushes_;
   std::vector<double> masses_;

@@ -33,8 +33,9 @@ void SoftBodies::adopt_flow(const FlowState& flow) {
     auto& surface = part.body->surface;
     const auto found = part.of(velocities);
     const Vec3 mean = part.kind->config.held ? mean_of(part, found) : Vec3{};
-    for (std::size_t v = 0; v < found.size(); ++v)
-      surface.velocities[v] = surface.is_pinned(v) ? Vec3{} : found[v] - mean;
+    // A flag that came with the stream would be thrown back by its pole.
+    const bool at_rest = !surface.pinned.empty();
+    for (std::size_t v = 0; v < found.size(); ++v) surface.velocities[v] = at_rest ? Vec3{} : found[v] - mean;
     part.body->mass_velocities = surface.velocities;
     if (surface.is_interface) keep_normal_part(surface.mesh, surface.positions, surface.velocities);
     part.body->pose.center = mean_position(surface.positions);

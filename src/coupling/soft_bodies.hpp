@@ -20,7 +20,8 @@ class SoftBodies {
   /// Mass of the layer of fluid, a mean grid spacing thick, that moves with a unit of area.
   double layer() const { return density_ * spacing_; }
 
-  /// At the beginning of a run: vertices take the velocity of the initial flow. Collective.
+  /// At the beginning of a run: vertices take the velocity of the initial flow; a body with pinned ones is at rest.
+  /// Collective.
   void adopt_flow(const FlowState& flow);
   /// Ends a step: volumes of closed bodies, means of the forces on the flow, finite places. Collective. Throws
   /// CollectiveError.
