@@ -12,13 +12,11 @@ constexpr std::size_t most_columns = 40;
 
 }  // namespace
 
-QuasiNewton::QuasiNewton(Communicator ranks, double first_factor, int kept_steps)
-    : ranks_(ranks), first_factor_(first_factor), kept_steps_(kept_steps) {}
+QuasiNewton::QuasiNewton(Communicator ranks, double first_factor) : ranks_(ranks), first_factor_(first_factor) {}
 
 void QuasiNewton::restart() {
   has_last_ = false;
-  for (Known& k : known_) ++k.age;
-  std::erase_if(known_, [&](const Known& k) { return k.age > kept_steps_; });
+  known_.clear();
 }
 
 double QuasiNewton::product(const Column& a, const Column& b) const {
@@ -29,12 +27,10 @@ double QuasiNewton::product(const Column& a, const Column& b) const {
 
 void QuasiNewton::relax(std::span<double> x, std::span<const double> image) {
   const std::size_t n = x.size();
-  const bool resized = ranks_.max(!known_.empty() && known_.front().residual.size() != n ? 1.0 : 0.0) > 0;
-  if (resized) known_.clear();
   Column residual(n), now(image.begin(), image.end());
   for (std::size_t i = 0; i < n; ++i) residual[i] = image[i] - x[i];
   if (has_last_) {
-    Known difference{Column(n), Column(n), 0};
+    Known difference{Column(n), Column(n)};
     for (std::size_t i = 0; i < n; ++i) {
       difference.residual[i] = residual[i] - last_residual_[i];
       difference.image[i] = now[i] - last_image_[i];

@@ -119,5 +119,44 @@ TEST(BodyRestart, StronglyCoupledByHamming) {
   expect_continued(everything(CouplingKind::strong, StrongScheme::hamming), Pairs::from_all_ranks);
 }
 
+TEST(BodyRestart, OfBodiesThatDeformTogetherWithTheFlow) {
+  auto config = everything(CouplingKind::loose, StrongScheme::automatic);
+  auto interface = ball("interface", MotionKind::deformable, {1.0, -1.0, 0.9}, 0.6);
+  interface.potentials.surface_tension = SurfaceTensionConfig{1, 0};
+  interface.coupling = CouplingKind::force_spreading;
+  interface.held = true;
+  auto heavy = drop({-1.0, -1.0, 0.9}, 0.6);
+  heavy.name = "heavy";
+  heavy.coupling = CouplingKind::force_spreading;
+  auto stiff = heavy;
+  stiff.name = "stiff";
+  stiff.center = {-1, 1, -0.9};
+  stiff.coupling = CouplingKind::local_mass;
+  auto loose = heavy;
+  loose.name = "loose";
+  loose.center = {1, -1, -1};
+  loose.mass_per_vertex = 5;
+  loose.coupling = CouplingKind::loose;
+  config.bodies.erase(config.bodies.begin() + 1);  // room for them
+  for (auto& body : config.bodies)
+    if (body.name == "drop") body = interface;
+  config.bodies.insert(config.bodies.end(), {heavy, stiff, loose});
+  expect_continued(config, Pairs::from_all_ranks);
+}
+
+TEST(BodyRestart, OfADeformableBodyThatIsCoupledStrongly) {
+  auto config = small_box({9, 8, 9});
+  config.checkpoint.keep = 2;
+  config.output.history.every = 3;
+  config.output.surfaces.every = 3;
+  config.initial.flow = InitialFlow::taylor_green;
+  config.coupling.tolerance = 1e-12;
+  auto body = drop({0.1, 0.2, 0.3}, 1);
+  body.coupling = CouplingKind::strong;
+  body.mass_per_vertex = 1;
+  config.bodies = {body};
+  expect_continued(config, Pairs::from_all_ranks);
+}
+
 }  // namespace
 }  // namespace pliant
