@@ -69,9 +69,8 @@ bool acts_on_flow(const CheckedBodies& bodies) {
 
 /// After the viscous solves, so that a viscous flow falls behind.
 bool forces_flow(const CheckedBodies& bodies) {
-  return std::any_of(bodies.kinds.begin(), bodies.kinds.end(), [](auto& kind) {
-    return kind.forces_flow() || kind.coupling == CouplingKind::local_mass;
-  });
+  return std::any_of(bodies.kinds.begin(), bodies.kinds.end(),
+                     [](auto& kind) { return kind.forces_flow() || kind.coupling == CouplingKind::local_mass; });
 }
 
 CheckedBodies make_bodies(const CaseConfig& config, const Grid& grid) {
@@ -192,8 +191,7 @@ int check(const CheckArguments& arguments, const Communicator& communicator) {
   const double step = limits_at_start(config, grid, bodies).smallest();
   for (std::size_t k = 0; k < bodies.kinds.size(); ++k) {
     fmt::print("# {}\n", describe(bodies.kinds[k], bodies.copies[k]));
-    for (const auto& warning : foresee(bodies.kinds[k], grid, step))
-      fmt::print("# warning: {}\n", warning);
+    for (const auto& warning : foresee(bodies.kinds[k], grid, step)) fmt::print("# warning: {}\n", warning);
   }
   return exit_success;
 }

@@ -227,10 +227,11 @@ void add_time(std::vector<CaseKey>& keys) {
                             "time.step is not given", adaptive));
   keys.push_back(make_key<CaseConfig>({"time.viscous", "", "directions in which viscous terms are implicit"},
                                       [](auto& c) { return &c.time.viscous; }));
-  keys.push_back(make_key<CaseConfig>({"time.sweeps", "",
-                                       "how a step goes through memory: fused (few passes), or plain (one loop for each "
-                                       "operator, slower, the same results but for round-off)"},
-                                      [](auto& c) { return &c.time.sweeps; }));
+  keys.push_back(
+      make_key<CaseConfig>({"time.sweeps", "",
+                            "how a step goes through memory: fused (few passes), or plain (one loop for each "
+                            "operator, slower, the same results but for round-off)"},
+                           [](auto& c) { return &c.time.sweeps; }));
 }
 
 template <class Access>

@@ -149,16 +149,17 @@ void add_motion_keys(std::vector<BodyKey>& keys) {
           [](auto& b) { return &b.thin_sheet; }),
       "coupling is not \"one-way\"", [](const BodyConfig& b) { return b.coupling != CouplingKind::one_way; }));
   const auto soft = [](BodyKey key) {
-    return only_when<BodyConfig>(std::move(key), "motion is \"deformable\" and coupling is not \"one-way\"",
-                                 [](const BodyConfig& b) {
-                                   return b.motion == MotionKind::deformable && b.coupling != CouplingKind::one_way;
-                                 });
+    return only_when<BodyConfig>(
+        std::move(key), "motion is \"deformable\" and coupling is not \"one-way\"",
+        [](const BodyConfig& b) { return b.motion == MotionKind::deformable && b.coupling != CouplingKind::one_way; });
   };
-  keys.push_back(soft(make_key<BodyConfig>({"held", "",
+  keys.push_back(
+      soft(make_key<BodyConfig>({"held", "",
                                  "a force shared over the surface keeps its centre at rest, so that it deforms but "
                                  "does not drift; the body's table has the flow's force on it"},
                                 [](auto& b) { return &b.held; })));
-  keys.push_back(soft(make_key<BodyConfig>({"volume_correction", "",
+  keys.push_back(
+      soft(make_key<BodyConfig>({"volume_correction", "",
                                  "of a closed body: the least motion of its vertices that keeps the volume as it was, "
                                  "once a step; the body's table has what it took"},
                                 [](auto& b) { return &b.volume_correction; })));
@@ -174,10 +175,11 @@ void add_interaction_keys(std::vector<Key<CaseConfig>>& keys) {
       {"immersed_boundary.forcing_iterations", "",
        "times that velocities are compared and forces spread within a substep"},
       [](auto& c) { return &c.immersed_boundary.forcing_iterations; }, between(1, 100)));
-  add(make_key<CaseConfig>({"coupling.scheme", "",
-                            "of strong coupling: fixed point with Aitken relaxation or by interface quasi-Newton, or Hamming's "
-                            "predictor-corrector; auto: quasi-newton for deformable bodies, else aitken"},
-                           [](auto& c) { return &c.coupling.scheme; }));
+  add(make_key<CaseConfig>(
+      {"coupling.scheme", "",
+       "of strong coupling: fixed point with Aitken relaxation or by interface quasi-Newton, or Hamming's "
+       "predictor-corrector; auto: quasi-newton for deformable bodies, else aitken"},
+      [](auto& c) { return &c.coupling.scheme; }));
   add(make_key<CaseConfig>(
       {"coupling.tolerance", "",
        "strong coupling ends when no velocity changes by more than this part of the largest one"},

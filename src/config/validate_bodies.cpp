@@ -60,8 +60,7 @@ class MotionValidator {
   void check_coupling(const BodyConfig& body) {
     if (!trusted({"coupling"})) return;
     const auto word = word_for(body.coupling);
-    const bool is_soft =
-        body.coupling == CouplingKind::force_spreading || body.coupling == CouplingKind::local_mass;
+    const bool is_soft = body.coupling == CouplingKind::force_spreading || body.coupling == CouplingKind::local_mass;
     if (is_soft && body.motion != MotionKind::deformable)
       complain("coupling", fmt::format("is \"{}\", which moves the vertices of deformable bodies, but motion is \"{}\"",
                                        word, word_for(body.motion)));

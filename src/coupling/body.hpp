@@ -27,17 +27,17 @@ struct BodyKind {
   MarkerLayout layout;
   double retraction = 0;  ///< of markers, inwards; length
   ProbeSettings probes;
-  double mass = 0;        ///< of a rigid or hinged body
-  RigidModel rigid;       ///< motion = "rigid"
-  HingeModel hinge;       ///< motion = "hinge"
-  PrescribedMotion path;  ///< motion = "prescribed"
+  double mass = 0;                      ///< of a rigid or hinged body
+  RigidModel rigid;                     ///< motion = "rigid"
+  HingeModel hinge;                     ///< motion = "hinge"
+  PrescribedMotion path;                ///< motion = "prescribed"
   bool meets_flow_at_vertices = false;  ///< of a soft body: else at the points of `layout`
   bool restores_volume = false;         ///< of a soft body
   double layered_limit = 0;             ///< of a soft body's substeps: 2/omega, the layer of fluid at its wall included
 
-  double wall_mass_ratio = 0;           ///< of a deformable body; see added_mass.hpp
-  double spacing = 0;                   ///< mean, of the grid
-  double convective_step = 0;           ///< what the speeds in the case let the flow take; infinite if they are 0
+  double wall_mass_ratio = 0;  ///< of a deformable body; see added_mass.hpp
+  double spacing = 0;          ///< mean, of the grid
+  double convective_step = 0;  ///< what the speeds in the case let the flow take; infinite if they are 0
 
   bool is_closed() const { return displaced.volume > 0; }
   /// Fluid on both sides, and no thickness that the flow should feel.
@@ -92,13 +92,13 @@ struct Body {
   BodyLoads loads;
   std::vector<Vec3> told_positions, told_velocities;  ///< of deformable bodies that the flow has to follow
   std::vector<Vec3> flow_forces, accelerations;       ///< of these, by vertex, in the last step
-  std::vector<Vec3> mass_velocities;  ///< of a soft body's own mass (force-spreading)
-  double volume_restored = 0;         ///< since the start, over the volume
-  std::vector<double> scheme;       ///< what the strong scheme remembers from step to step
-  SwingCount swing, turning_swing;  ///< of the linear and of the angular acceleration
-  Slip slip;                        ///< found with the diagnostics
-  ProbeLoads stresses;              ///< the same
-  SurfaceSites sites;               ///< where the stresses are
+  std::vector<Vec3> mass_velocities;                  ///< of a soft body's own mass (force-spreading)
+  double volume_restored = 0;                         ///< since the start, over the volume
+  std::vector<double> scheme;                         ///< what the strong scheme remembers from step to step
+  SwingCount swing, turning_swing;                    ///< of the linear and of the angular acceleration
+  Slip slip;                                          ///< found with the diagnostics
+  ProbeLoads stresses;                                ///< the same
+  SurfaceSites sites;                                 ///< where the stresses are
 
   const std::string& name() const { return surface.name; }
 };

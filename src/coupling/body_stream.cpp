@@ -30,8 +30,8 @@ void write_body(const Body& body, const BodyKind& kind, ByteWriter& out) {
   out.write(body.surface.positions);
   out.write(body.surface.velocities);
   out.write(body.surface.forces);
-  for (const auto* values : {&body.told_positions, &body.told_velocities, &body.flow_forces, &body.accelerations,
-                             &body.mass_velocities})
+  for (const auto* values :
+       {&body.told_positions, &body.told_velocities, &body.flow_forces, &body.accelerations, &body.mass_velocities})
     out.write(*values);
   out.write(body.volume_restored);
 }
@@ -60,8 +60,8 @@ void read_body(ByteReader& in, const BodyKind& kind, Body& body) {
   read_vertices(in, body.surface.positions);
   read_vertices(in, body.surface.velocities);
   read_vertices(in, body.surface.forces);
-  for (auto* values : {&body.told_positions, &body.told_velocities, &body.flow_forces, &body.accelerations,
-                       &body.mass_velocities})
+  for (auto* values :
+       {&body.told_positions, &body.told_velocities, &body.flow_forces, &body.accelerations, &body.mass_velocities})
     in.read(*values);
   in.read(body.volume_restored);
 }

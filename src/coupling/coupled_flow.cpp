@@ -27,7 +27,8 @@ CoupledFlow::CoupledFlow(const CaseConfig& config, FlowSolver& flow, Bodies& bod
     has_forced |= kind.forces_flow();
     if (kind.coupling == CouplingKind::force_spreading && !force_spreading_)
       force_spreading_.emplace(flow.grid(), config, bodies, contact_);
-    if (kind.coupling == CouplingKind::local_mass && !local_mass_) local_mass_.emplace(flow.grid(), config, bodies, contact_);
+    if (kind.coupling == CouplingKind::local_mass && !local_mass_)
+      local_mass_.emplace(flow.grid(), config, bodies, contact_);
     is_two_way_ |= kind.acts_on_flow();
     has_strong_ |= kind.coupling == CouplingKind::strong;
     has_probe_driven_ |= kind.is_driven_by_probes();

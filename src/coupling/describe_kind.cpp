@@ -22,7 +22,8 @@ std::string describe(const BodyKind& kind, long copies) {
     const auto lengths = edge_lengths(mesh, kind.prototype.positions);
     const auto [least, most] = std::minmax_element(lengths.begin(), lengths.end());
     text += fmt::format(", edges of {:.2g} to {:.2g} grid spacings", *least / kind.spacing, *most / kind.spacing);
-    if (kind.wall_mass_ratio > 0) text += fmt::format(", its mass {:.2g} of the fluid's around it", kind.wall_mass_ratio);
+    if (kind.wall_mass_ratio > 0)
+      text += fmt::format(", its mass {:.2g} of the fluid's around it", kind.wall_mass_ratio);
   }
   std::string reason;
   const auto coupling = choose_coupling(kind, reason);
@@ -42,8 +43,8 @@ std::vector<std::string> summarize(const Bodies& bodies) {
       slip = std::max(slip, body.slip.rms());
       restored = std::max(restored, std::abs(body.volume_restored));
       if (kind.is_closed())
-        volume = std::max(volume, std::abs(enclosed_volume(body.surface.mesh, body.surface.positions) /
-                                               kind.displaced.volume - 1));
+        volume = std::max(
+            volume, std::abs(enclosed_volume(body.surface.mesh, body.surface.positions) / kind.displaced.volume - 1));
     }
     const auto& ranks = bodies.grid().ranks();
     volume = ranks.max(volume);
@@ -63,7 +64,8 @@ std::vector<std::string> foresee(const BodyKind& kind, const Grid& grid, double 
   const auto& name = kind.config.name;
   if (kind.coupling == CouplingKind::force_spreading && step > force_spreading_limit(kind))
     warnings.push_back(fmt::format(
-        "body '{}': with coupling = \"force-spreading\" its stiffness bears fluid steps up to {:.3g}, the step is {:.3g}: "
+        "body '{}': with coupling = \"force-spreading\" its stiffness bears fluid steps up to {:.3g}, the step is "
+        "{:.3g}: "
         "the run is likely to blow up; take a smaller time.step, leave it to Pliant, or, if the body has mass, "
         "coupling = \"local-mass\"",
         name, force_spreading_limit(kind), step));
@@ -74,9 +76,10 @@ std::vector<std::string> foresee(const BodyKind& kind, const Grid& grid, double 
         "{:.3g} it does little",
         name, step, 0.4 * kind.convective_step));
   if (kind.coupling == CouplingKind::loose && kind.wall_mass_ratio < sure_loose_wall)
-    warnings.push_back(fmt::format("body '{}': its wall has {:.2g} times the mass of the fluid around it; loose coupling "
-                                   "is marginal below {}: force-spreading and local-mass hold at any mass",
-                                   name, kind.wall_mass_ratio, sure_loose_wall));
+    warnings.push_back(
+        fmt::format("body '{}': its wall has {:.2g} times the mass of the fluid around it; loose coupling "
+                    "is marginal below {}: force-spreading and local-mass hold at any mass",
+                    name, kind.wall_mass_ratio, sure_loose_wall));
   Vec3 lower = kind.prototype.positions[0], upper = lower;
   for (const Vec3& x : kind.prototype.positions)
     for (int d = 0; d < 3; ++d) {
@@ -85,9 +88,10 @@ std::vector<std::string> foresee(const BodyKind& kind, const Grid& grid, double 
     }
   for (int d = 0; d < 3; ++d)
     if (const double share = (upper[d] - lower[d]) / grid.size()[d]; share > 0.5)
-      warnings.push_back(fmt::format("body '{}' spans {:.2g} of the box along {} before it is turned: walls, or its own "
-                                     "images through periodic sides, change what it does",
-                                     name, share, "xyz"[d]));
+      warnings.push_back(
+          fmt::format("body '{}' spans {:.2g} of the box along {} before it is turned: walls, or its own "
+                      "images through periodic sides, change what it does",
+                      name, share, "xyz"[d]));
   return warnings;
 }
 

@@ -10,8 +10,8 @@
 namespace pliant {
 namespace {
 
-constexpr double evening = 0.1;             // of the way to an even mesh, a substep
-constexpr double with_added_mass = 1.5;     // of a drop as heavy as the fluid, over its own mass
+constexpr double evening = 0.1;          // of the way to an even mesh, a substep
+constexpr double with_added_mass = 1.5;  // of a drop as heavy as the fluid, over its own mass
 constexpr double prompt_hold = 0.6, lasting_hold = 0.15;
 
 bool has_mass(const DeformableBody& body) {

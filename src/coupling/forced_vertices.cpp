@@ -39,8 +39,7 @@ void advance_forced(Body& body, const BodyKind& kind, const NodalSurroundings& s
     for (std::size_t v = 0; v < n_vertices; ++v) surface.positions[v] += h * surface.velocities[v];
   }
   body.accelerations.resize(n_vertices);
-  for (std::size_t v = 0; v < n_vertices; ++v)
-    body.accelerations[v] = (1 / step) * (surface.velocities[v] - before[v]);
+  for (std::size_t v = 0; v < n_vertices; ++v) body.accelerations[v] = (1 / step) * (surface.velocities[v] - before[v]);
   body.pose.center = mean_position(surface.positions);
   require_finite(surface);
 }

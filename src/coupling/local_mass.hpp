@@ -5,9 +5,9 @@
 
 namespace pliant {
 
-/// Steps of a membrane, stable up to `limit`, within the part `alpha` of a fluid step: all of a fluid step have the same
-/// length. What a symplectic step conserves is an energy that depends on its length; lengths that alternate from substep
-/// to substep of the flow swing the fastest vibrations up, where the mass of the wall outweighs its layer.
+/// Steps of a membrane, stable up to `limit`, within the part `alpha` of a fluid step: all of a fluid step have the
+/// same length. What a symplectic step conserves is an energy that depends on its length; lengths that alternate from
+/// substep to substep of the flow swing the fastest vibrations up, where the mass of the wall outweighs its layer.
 /// Throws RunError if there would be too many.
 int local_mass_substeps(double alpha, double step, double limit, const std::string& body);
 

@@ -160,9 +160,9 @@ void set_softness(BodyKind& kind, const Grid& grid) {
   if (!kind.is_soft()) return;
   const auto& body = kind.prototype;
   const auto lengths = edge_lengths(body.mesh, body.positions);
-  kind.meets_flow_at_vertices = kind.config.marker_refinement == 0 &&
-                                *std::max_element(lengths.begin(), lengths.end()) <=
-                                    longest_marker_edge * grid.smallest_spacing();
+  kind.meets_flow_at_vertices =
+      kind.config.marker_refinement == 0 &&
+      *std::max_element(lengths.begin(), lengths.end()) <= longest_marker_edge * grid.smallest_spacing();
   // Centroids alone would not feel vertices that alternate by threes.
   if (!kind.meets_flow_at_vertices && kind.config.marker_refinement == 0) {
     auto parts = refinement_for(body.mesh, body.positions, grid.smallest_spacing());
@@ -178,7 +178,8 @@ void require_enough_markers(const BodyKind& kind, const CaseConfig& config, cons
   kind.layout.place(kind.prototype.positions, kind.prototype.velocities, markers);
   const double largest = *std::max_element(markers.areas.begin(), markers.areas.end());
   const double correction = largest * grid.mean_spacing() / (grid.dx() * grid.dy() * grid.smallest_dz());
-  if (!kind.acts_on_flow() || kind.meets_flow_at_vertices || correction < DirectForcing::largest_stable_correction) return;
+  if (!kind.acts_on_flow() || kind.meets_flow_at_vertices || correction < DirectForcing::largest_stable_correction)
+    return;
   throw InputError(
       fmt::format("{} has too few markers for the grid: one stands for {:.2g} cells, from {} on forcing is unstable; "
                   "leave marker_refinement to Pliant, or raise it",

@@ -13,8 +13,7 @@ namespace pliant {
 /// substep by substep: force-spreading and local-mass.
 class SoftBodies {
  public:
-  SoftBodies(const Grid& grid, const CaseConfig& config, Bodies& bodies, Contact& contact,
-             CouplingKind coupling);
+  SoftBodies(const Grid& grid, const CaseConfig& config, Bodies& bodies, Contact& contact, CouplingKind coupling);
 
   bool any() const { return any_; }
   /// Mass of the layer of fluid, a mean grid spacing thick, that moves with a unit of area.

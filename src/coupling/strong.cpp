@@ -25,15 +25,17 @@ bool uses_quasi_newton(CoupledFlow& coupled) {
   const auto scheme = coupled.settings().scheme;
   if (scheme != StrongScheme::automatic) return scheme == StrongScheme::quasi_newton;
   const auto kinds = coupled.bodies().kinds();
-  return std::any_of(kinds.begin(), kinds.end(), [](const BodyKind& kind) {
-    return !kind.has_pose() && kind.coupling == CouplingKind::strong;
-  });
+  return std::any_of(kinds.begin(), kinds.end(),
+                     [](const BodyKind& kind) { return !kind.has_pose() && kind.coupling == CouplingKind::strong; });
 }
 
 }  // namespace
 
 StrongCoupling::StrongCoupling(const Communicator& ranks, const CouplingConfig& settings)
-    : ranks_(ranks), settings_(settings), relaxation_(ranks, settings.relaxation), quasi_newton_(ranks, settings.relaxation) {}
+    : ranks_(ranks),
+      settings_(settings),
+      relaxation_(ranks, settings.relaxation),
+      quasi_newton_(ranks, settings.relaxation) {}
 
 // Speaks for the body that changes most: agree takes the word of the rank that holds it.
 void StrongCoupling::fail(const StrongUnknowns& unknowns, std::span<const double> image, double change,

@@ -23,9 +23,9 @@ struct StrongReport {
 /// added
 ///   mass has been taken out of the load and put to the body (else it would ring from 7/9 of the body's own mass on).
 /// - deformable bodies: StrongVertices.
-/// All relax towards the fixed point y = G(y) with Aitken's factor, or by quasi-Newton. Fixed points hold bodies of any mass ratio,
-/// Hamming's formula as long as the estimate, or the virtual mass or inertia if that is more, is not less than half the
-/// true one.
+/// All relax towards the fixed point y = G(y) with Aitken's factor, or by quasi-Newton. Fixed points hold bodies of any
+/// mass ratio, Hamming's formula as long as the estimate, or the virtual mass or inertia if that is more, is not less
+/// than half the true one.
 class StrongCoupling {
  public:
   StrongCoupling(const Communicator& ranks, const CouplingConfig& settings);

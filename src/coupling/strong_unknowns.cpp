@@ -144,8 +144,7 @@ void StrongUnknowns::image_of_vertices(Item& item, std::span<double> image) {
     surface.forces[v] += body.flow_forces[v];
     const double added = layer * surface.reference_areas[v];
     const Vec3 inertia = (added / step_) * (surface.velocities[v] - start[v]);
-    body.accelerations[v] =
-        surface.is_pinned(v) ? Vec3{} : (surface.forces[v] + inertia) / (surface.masses[v] + added);
+    body.accelerations[v] = surface.is_pinned(v) ? Vec3{} : (surface.forces[v] + inertia) / (surface.masses[v] + added);
   }
   std::vector<double> rates(item.size);
   pack(surface.velocities, body.accelerations, rates);

@@ -51,10 +51,10 @@ class NodalForces {
 
 /// Those who act on the flow within a step.
 struct FlowHooks {
-  PredictedFlowHook predicted;                                ///< between prediction and projection
-  std::function<void(const Substep&, double dt)> before;      ///< a substep begins
-  std::function<void(const Substep&, double dt)> corrected;   ///< it ends: state() is the flow at its end
-  NodalForces* forces = nullptr;                              ///< set by `before`
+  PredictedFlowHook predicted;                               ///< between prediction and projection
+  std::function<void(const Substep&, double dt)> before;     ///< a substep begins
+  std::function<void(const Substep&, double dt)> corrected;  ///< it ends: state() is the flow at its end
+  NodalForces* forces = nullptr;                             ///< set by `before`
 };
 
 /// What the flow solver needs to know of a case.

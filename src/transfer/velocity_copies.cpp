@@ -1,7 +1,7 @@
 #include "transfer/velocity_copies.hpp"
 
-#include "boundary/periodic_ghosts.hpp"
 #include "boundary/fill_ghosts.hpp"
+#include "boundary/periodic_ghosts.hpp"
 
 namespace pliant {
 

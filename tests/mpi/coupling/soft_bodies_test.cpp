@@ -218,7 +218,8 @@ TEST(SoftBodies, AllSchemesFindTheSameMotionInSmallSteps) {
     Simulation simulation(config, Communicator(), silent(owner.path()));
     simulation.run();
     const auto vertices = all_vertices(simulation.bodies());
-    std::vector<double> positions(vertices.begin(), vertices.begin() + static_cast<std::ptrdiff_t>(vertices.size() / 3));
+    std::vector<double> positions(vertices.begin(),
+                                  vertices.begin() + static_cast<std::ptrdiff_t>(vertices.size() / 3));
     found.push_back(positions);
   }
   // Over R = 1 they have moved by some tenths.
@@ -266,9 +267,7 @@ TEST(SoftBodies, PinnedVerticesStay) {
     for (const Body& body : simulation.bodies().own())
       for (std::size_t v = 0; v < body.surface.positions.size(); ++v) {
         const double distance = norm(body.surface.positions[v] - body.surface.reference[v]);
-        if (body.surface.is_pinned(v)) {
-          EXPECT_EQ(distance, 0);
-        }
+        if (body.surface.is_pinned(v)) { EXPECT_EQ(distance, 0); }
         moved = std::max(moved, distance);
       }
     EXPECT_GT(Communicator().max(moved), 0.05);

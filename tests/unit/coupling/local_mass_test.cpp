@@ -51,9 +51,7 @@ TEST(LocalMassSubsteps, NoVibrationUpToTheFastestGrows) {
       of_each = std::max(of_each, growth(omega, step, each));
     }
     EXPECT_LT(largest, 1 + 1e-6) << step;
-    if (step == 3.0) {
-      EXPECT_GT(of_each, 1.05) << "as few as each substep would bear";
-    }
+    if (step == 3.0) { EXPECT_GT(of_each, 1.05) << "as few as each substep would bear"; }
   }
 }
 
