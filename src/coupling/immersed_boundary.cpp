@@ -128,8 +128,9 @@ std::string ImmersedBoundary::find_outside(const Bodies& bodies, MarkerGroup whi
     const Vec3 x = body.surface.positions[vertex];
     return fmt::format(
         "body '{}' has left the box: its vertex {} is at ({:.6g}, {:.6g}, {:.6g}); use a larger box, a repulsion from "
-        "the walls (repulsion.range), or, if it was thrown out, a smaller step or coupling = \"strong\"",
-        body.name(), vertex, x.x, x.y, x.z);
+        "the walls (repulsion.range), or, if it was thrown out, a smaller step or coupling = {}",
+        body.name(), vertex, x.x, x.y, x.z,
+        bodies.kind_of(body).has_pose() ? "\"strong\"" : "\"force-spreading\" or \"local-mass\"");
   }
   return {};
 }
