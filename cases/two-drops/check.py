@@ -59,6 +59,8 @@ class Passage:
     """Gap, vertices inside the other drop, and centres over time; periodic along x with the period of the box."""
 
     def __init__(self, out, period):
+        from scipy.spatial import cKDTree
+
         self.report = common.report(out)
         self.bodies = {name: common.read_table(out / "bodies" / f"{name}.csv") for name in NAMES}
         files = [sorted((out / "surfaces").glob(f"{name}_*.h5")) for name in NAMES]
@@ -68,9 +70,15 @@ class Passage:
             right = right - [period * np.round((right.mean(axis=0) - left.mean(axis=0))[0] / period), 0, 0]
             if np.abs(np.ptp(left[:, 0]) - period) < 1 or np.abs(np.ptp(right[:, 0]) - period) < 1:
                 continue  # a drop that lies across the periodic side
-            both = [(left, right), (right, left)]
-            self.gaps.append(min(distance_to_faces(p, q, faces).min() for p, q in both))
-            self.inside += sum(int((winding_number(p, q, faces) > 0.5).sum()) for p, q in both)
+            gap = np.inf
+            for points, other in ((left, right), (right, left)):
+                # Vertices farther from those of the other drop than an edge more than the nearest are not the nearest to its
+                # faces; nor has one come in by more than 0.5 R between two instants.
+                apart = cKDTree(other).query(points)[0]
+                gap = min(gap, distance_to_faces(points[apart < apart.min() + 0.3], other, faces).min())
+                near = points[apart < 0.5]
+                self.inside += int((winding_number(near, other, faces) > 0.5).sum()) if len(near) else 0
+            self.gaps.append(gap)
             self.times.append(time)
             self.shapes.append((time, left, right))
         self.least, self.at = min(zip(self.gaps, self.times))
