@@ -13,13 +13,14 @@ AMPLITUDE, STROUHAL = (0.75, 0.82), (0.255, 0.27)
 PUBLISHED = {"Huang & Sung 2010": (0.780, 0.260), "Tian et al. 2014, plate": (0.806, 0.266),
              "Tian et al. 2014, solid": (0.812, 0.263), "Lee & Choi 2015": (0.752, 0.265)}
 COARSE, FINE = "16 cells", "24 cells"
+FINER = {"box.cells": [144, 72, 72], "box.stretching.z.growth": 0.04, "body.flag.surface.edge": 0.0417, "time.max_step": 0.00625}
 RUNS = {COARSE: {},
         f"{COARSE}, half the step": {"time.max_step": 0.005},
         f"{COARSE}, loose": {"body.flag.coupling": "loose"},
         f"{COARSE}, loose, wider box": {"body.flag.coupling": "loose", "box.size": [6, 5, 6], "box.origin": [-1.5, -2.5, -3],
                                         "box.cells": [96, 80, 60]},
-        FINE: {"box.cells": [144, 72, 72], "box.stretching.z.growth": 0.04, "body.flag.surface.edge": 0.0417,
-               "time.max_step": 0.00625}}
+        FINE: FINER,
+        f"{FINE}, loose": {**FINER, "body.flag.coupling": "loose", "time.end": 14}}
 
 
 class Flapping:
@@ -73,7 +74,7 @@ def draw(results, file):
 
     plt.rcParams.update({"axes.spines.top": False, "axes.spines.right": False, "legend.frameon": False})
     figure, (motion, shapes, wake) = plt.subplots(1, 3, figsize=(13, 3.4), layout="constrained", width_ratios=[1.3, 0.9, 1.4])
-    for (name, (_, r)), colour in zip(results.items(), ("#9ecae1", "#41ab5d", "#d95f0e", "#fdae6b", "#08306b")):
+    for (name, (_, r)), colour in zip(results.items(), ("#9ecae1", "#41ab5d", "#d95f0e", "#fdae6b", "#08306b", "#7f2704")):
         motion.plot(r.times, r.tip[:, 2], color=colour, lw=1, label=name)
     for sign in (-1, 1):
         motion.axhspan(*sorted(sign * a / 2 for a in AMPLITUDE), color="0.9", zorder=0)
