@@ -76,6 +76,25 @@ void ForceSpreading::adjust_hold(const VertexTransfer::Part& part, double dt, Ve
   }
 }
 
+// Surfaces less than a spacing apart share the nodes that opposite forces of contact are spread to, where they cancel:
+// the flow alone cannot keep them apart. What is left of their approach is taken from the vertices themselves.
+void ForceSpreading::keep_apart(const VertexTransfer::Part& part, double time) {
+  auto* contact = contact_.of(*part.body);
+  if (contact == nullptr) return;
+  auto& surface = part.body->surface;
+  auto& in_contact = part.body->in_contact;
+  const auto masses = layered_masses(part);
+  const auto mobilities = mobilities_of(surface, masses, time);
+  std::vector<Vec3> pushes(surface.positions.size());
+  contact->add_forces({surface.positions, surface.velocities, mobilities, elapsed_, time, masses}, pushes);
+  in_contact.assign(pushes.size(), 0);
+  for (std::size_t v = 0; v < pushes.size(); ++v) {
+    if (pushes[v] == Vec3{}) continue;
+    surface.velocities[v] += mobilities[v] * pushes[v];
+    in_contact[v] = 1;
+  }
+}
+
 void ForceSpreading::drift(double time) {
   for (const auto& part : transfer_.parts()) {
     auto& surface = part.body->surface;
@@ -155,6 +174,7 @@ void ForceSpreading::corrected(const Substep& substep, double dt, const FlowStat
     for (std::size_t v = 0; v < surface.velocities.size(); ++v)
       surface.velocities[v] = surface.is_pinned(v) ? Vec3{} : velocities_[part.begin + v] - mean;
     if (surface.is_interface) keep_normal_part(surface.mesh, surface.positions, surface.velocities);
+    keep_apart(part, substep.alpha * dt);
   }
   drift(0.5 * substep.alpha * dt);
   for (const auto& part : transfer_.parts())

@@ -38,6 +38,7 @@ class ForceSpreading : public SoftBodies {
 
  private:
   void drift(double time);
+  void keep_apart(const VertexTransfer::Part& part, double time);
   /// Of the enclosed volume's centroid, or the mean over an open surface.
   Vec3 common_velocity(const VertexTransfer::Part& part, std::span<const Vec3> velocities) const;
   void remove_mean_pressure(const VertexTransfer::Part& part, std::span<Vec3> forces) const;

@@ -35,7 +35,8 @@ void remove_mean(std::span<const double> masses, std::span<Vec3> velocities) {
 }
 
 // With the areas as weights the least motion is along the gradient of the volume over the area: a vertex's normal.
-double restore_volume(DeformableBody& body, double volume) {
+double restore_volume(DeformableBody& body, double volume, std::span<const std::uint8_t> marked) {
+  const auto stays = [&](std::size_t v) { return body.is_pinned(v) || (!marked.empty() && marked[v] != 0); };
   constexpr int most_steps = 5;
   constexpr double tolerance = 1e-14;
   const double first = enclosed_volume(body.mesh, body.positions);
@@ -45,11 +46,11 @@ double restore_volume(DeformableBody& body, double volume) {
     const auto gradient = volume_gradient(body.mesh, body.positions);
     double slope = 0;
     for (std::size_t v = 0; v < gradient.size(); ++v)
-      if (!body.is_pinned(v)) slope += dot(gradient[v], gradient[v]) / areas[v];
+      if (!stays(v)) slope += dot(gradient[v], gradient[v]) / areas[v];
     if (!(slope > 0)) break;
     const double amount = (volume - present) / slope;
     for (std::size_t v = 0; v < gradient.size(); ++v)
-      if (!body.is_pinned(v)) body.positions[v] += (amount / areas[v]) * gradient[v];
+      if (!stays(v)) body.positions[v] += (amount / areas[v]) * gradient[v];
     present = enclosed_volume(body.mesh, body.positions);
   }
   return present - first;

@@ -20,7 +20,7 @@ std::vector<double> mobilities_of(const DeformableBody& body, std::span<const do
 void remove_mean(std::span<const double> masses, std::span<Vec3> velocities);
 
 /// Moves the vertices of a closed body by as little as possible, weighted by their areas, so that it encloses `volume`;
-/// pinned ones stay. Returns the volume that this adds.
-double restore_volume(DeformableBody& body, double volume);
+/// pinned ones stay, and those that are marked, if any are. Returns the volume that this adds.
+double restore_volume(DeformableBody& body, double volume, std::span<const std::uint8_t> marked = {});
 
 }  // namespace pliant

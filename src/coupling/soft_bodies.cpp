@@ -110,7 +110,7 @@ void SoftBodies::finish(double step) {
     load.torque *= -1 / step;
     body.loads.balance = load;
     if (part.kind->restores_volume)
-      body.volume_restored += restore_volume(body.surface, part.kind->displaced.volume) / part.kind->displaced.volume;
+      body.volume_restored += restore_volume(body.surface, part.kind->displaced.volume, body.in_contact) / part.kind->displaced.volume;
     body.pose.center = mean_position(body.surface.positions);
     try {
       require_finite(body.surface);
