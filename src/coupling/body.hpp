@@ -94,13 +94,14 @@ struct Body {
   std::vector<Vec3> told_positions, told_velocities;  ///< of deformable bodies that the flow has to follow
   std::vector<Vec3> flow_forces, accelerations;       ///< of these, by vertex, in the last step
   std::vector<Vec3> mass_velocities;                  ///< of a soft body's own mass (force-spreading)
-  std::vector<std::uint8_t> in_contact;  ///< of a soft body's vertices: 1 if another surface held them in the last substep
-  double volume_restored = 0;                         ///< since the start, over the volume
-  std::vector<double> scheme;                         ///< what the strong scheme remembers from step to step
-  SwingCount swing, turning_swing;                    ///< of the linear and of the angular acceleration
-  Slip slip;                                          ///< found with the diagnostics
-  ProbeLoads stresses;                                ///< the same
-  SurfaceSites sites;                                 ///< where the stresses are
+  std::vector<std::uint8_t>
+      in_contact;                   ///< of a soft body's vertices: 1 if another surface held them in the last substep
+  double volume_restored = 0;       ///< since the start, over the volume
+  std::vector<double> scheme;       ///< what the strong scheme remembers from step to step
+  SwingCount swing, turning_swing;  ///< of the linear and of the angular acceleration
+  Slip slip;                        ///< found with the diagnostics
+  ProbeLoads stresses;              ///< the same
+  SurfaceSites sites;               ///< where the stresses are
 
   const std::string& name() const { return surface.name; }
 };

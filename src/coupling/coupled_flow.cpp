@@ -88,6 +88,16 @@ void CoupledFlow::advance_fluid(double step) {
   flow_.advance(step, hooks());
 }
 
+void CoupledFlow::save_soft_bodies() {
+  saved_soft_.clear();
+  for (const Body& body : bodies_.own())
+    if (bodies_.kind_of(body).is_soft()) saved_soft_.push_back(body);
+}
+
+void CoupledFlow::restore_soft_bodies() {
+  for (const Body& saved : saved_soft_) *bodies_.find(saved.id) = saved;
+}
+
 void CoupledFlow::begin_contact(double step) {
   if (!has_two_way_vertices_) return;
   const auto scope = timer_.measure("bodies: contact");

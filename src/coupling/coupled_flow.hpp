@@ -39,6 +39,10 @@ class CoupledFlow {
   void find_loads(double step);
   /// The load that moves a rigid or hinged body.
   RigidLoad load_on(const Body& body) const;
+  /// Bodies that move with the flow do so in advance_fluid(): where they are now, and the way back there, for those who
+  /// take the flow back as well.
+  void save_soft_bodies();
+  void restore_soft_bodies();
   /// Ends the step of bodies that move with the flow. Collective. Throws CollectiveError.
   void finish_soft_bodies(double step);
   /// A step of deformable bodies that act on the flow begins and ends for contact (Contact). Collective.
@@ -84,6 +88,7 @@ class CoupledFlow {
   MlsSampler sampler_;
   bool has_strong_ = false, is_two_way_ = false, has_probe_driven_ = false, has_one_way_ = false,
        has_two_way_vertices_ = false;
+  std::vector<Body> saved_soft_;
   PhaseTimer timer_;
   double last_step_ = 0;
 };

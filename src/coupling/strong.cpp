@@ -53,6 +53,7 @@ void StrongCoupling::fail(const StrongUnknowns& unknowns, std::span<const double
 
 StrongReport StrongCoupling::advance(CoupledFlow& coupled, double time, double step) {
   coupled.flow().save_state(start_);
+  coupled.save_soft_bodies();
   move_prescribed(coupled.bodies(), time);
   StrongUnknowns unknowns(coupled, step);
   const bool by_secants = uses_quasi_newton(coupled);
@@ -63,7 +64,10 @@ StrongReport StrongCoupling::advance(CoupledFlow& coupled, double time, double s
   const double floor = 1e-9 * coupled.flow().grid().dx() / step;
   while (true) {
     ++report.iterations;
-    if (report.iterations > 1) coupled.flow().restore_state(start_);
+    if (report.iterations > 1) {
+      coupled.flow().restore_state(start_);
+      coupled.restore_soft_bodies();
+    }
     unknowns.rewind();
     coupled.begin_contact(step);
     apply(unknowns, ranks_);

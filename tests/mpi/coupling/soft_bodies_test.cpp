@@ -251,6 +251,36 @@ TEST(SoftBodies, AHeldBodyStaysAndTellsItsDrag) {
   EXPECT_NEAR(impulse, lost, 1e-10);
 }
 
+// The iterations of others take the flow back to the start of the step, and so these bodies.
+TEST(SoftBodies, MoveOnceAStepWhenOthersIterate) {
+  std::vector<std::vector<Vec3>> centers;
+  for (const auto coupling : {CouplingKind::loose, CouplingKind::strong}) {
+    auto config = shell_in(16, CouplingKind::force_spreading, 4);
+    config.initial.flow = InitialFlow::uniform;
+    config.initial.velocity = {0.5, 0, 0};
+    config.bodies[0].surface = SphereSurface{4, 0.6};
+    auto stiff = config.bodies[0];
+    stiff.name = "stiff";
+    stiff.center = {0.1, 0.2, 1.4};
+    stiff.surface = SphereSurface{3, 0.4};
+    stiff.coupling = CouplingKind::local_mass;
+    auto stone = ball("stone", MotionKind::rigid, {-1.2, -1.2, -1.2}, 0.5);
+    stone.material.density = 30;
+    stone.coupling = coupling;
+    config.bodies.insert(config.bodies.end(), {stiff, stone});
+    config.coupling.tolerance = 1e-8;
+    config.time.max_steps = 10;
+    const SharedFolder owner;
+    Simulation simulation(config, Communicator(), silent(owner.path()));
+    simulation.run();
+    centers.push_back(all_vectors(simulation.bodies(), [](const Body& b) { return b.pose.center; }));
+  }
+  for (std::size_t b = 0; b < 2; ++b) {
+    EXPECT_GT(norm(centers[0][b] - (b == 0 ? Vec3{0.1, 0.2, -0.1} : Vec3{0.1, 0.2, 1.4})), 0.05);
+    EXPECT_LT(norm(centers[1][b] - centers[0][b]), 0.002);
+  }
+}
+
 TEST(SoftBodies, PinnedVerticesStay) {
   for (const auto coupling : {CouplingKind::force_spreading, CouplingKind::local_mass}) {
     auto config = shell_in(16, coupling, 5);
