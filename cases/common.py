@@ -3,6 +3,7 @@ import argparse
 import csv
 import json
 import os
+import random
 import shlex
 import subprocess
 import time
@@ -23,6 +24,24 @@ def find_binary(given=None):
         if path and Path(path).is_file():
             return Path(path).resolve()
     raise RunFailed(f"no program at {given or REPOSITORY / 'build/release/pliant'}: build it, or name it with --binary")
+
+
+def shaken_plate(arguments, name, size, edge, shake):
+    """File of a plate whose inner vertices are moved at random in its plane, by up to `shake` edges."""
+    file = arguments.out / f"{name}.obj"
+    subprocess.run([arguments.binary, "mesh", "plate", "--size", *map(str, size), "--edge", str(edge), "-o", file], check=True,
+                   stdout=subprocess.DEVNULL)
+    chance = random.Random(1)
+    lines = []
+    for line in file.read_text().splitlines():
+        if line.startswith("v "):
+            x, y, z = map(float, line.split()[1:4])
+            if abs(abs(x) - size[0] / 2) > 1e-6 and abs(abs(y) - size[1] / 2) > 1e-6:
+                x, y = (q + shake * edge * chance.uniform(-1, 1) for q in (x, y))
+            line = f"v {x!r} {y!r} {z!r}"
+        lines.append(line)
+    file.write_text("\n".join(lines) + "\n")
+    return file
 
 
 def positive(text):

@@ -2,7 +2,6 @@
 """A strip is stretched: Young's modulus and Poisson's ratio, fibres, membrane laws at large strains. See README.md."""
 import json
 import math
-import random
 import subprocess
 import sys
 from pathlib import Path
@@ -39,30 +38,12 @@ MESHES = {"lattice": 0, "shaken by 0.1 edges": 0.1, "shaken by 0.25 edges": 0.25
 ANGLES = (0, 15, 30, 45, 60, 75, 90)
 
 
-def plate_file(arguments, name, size, edge, shake):
-    """A plate whose inner vertices are moved at random in its plane."""
-    file = arguments.out / f"{name}.obj"
-    subprocess.run([arguments.binary, "mesh", "plate", "--size", *map(str, size), "--edge", str(edge), "-o", file], check=True,
-                   stdout=subprocess.DEVNULL)
-    chance = random.Random(1)
-    lines = []
-    for line in file.read_text().splitlines():
-        if line.startswith("v "):
-            x, y, z = map(float, line.split()[1:4])
-            if abs(abs(x) - size[0] / 2) > 1e-6 and abs(abs(y) - size[1] / 2) > 1e-6:
-                x, y = (q + shake * edge * chance.uniform(-1, 1) for q in (x, y))
-            line = f"v {x!r} {y!r} {z!r}"
-        lines.append(line)
-    file.write_text("\n".join(lines) + "\n")
-    return file
-
-
 def surface(arguments, name, size, edge, shake):
     if shake is None:
         return {"body.strip.surface": f'{{ shape = "disc", radius = {size[0] / 2}, edge = {edge} }}'}
     if not shake:
         return {"body.strip.surface.size": list(size), "body.strip.surface.edge": edge}
-    return {"body.strip.surface": f'{{ file = "{plate_file(arguments, name, size, edge, shake)}", open = true }}'}
+    return {"body.strip.surface": f'{{ file = "{common.shaken_plate(arguments, name, size, edge, shake)}", open = true }}'}
 
 
 def settings(arguments, name, edge, shake, further, tension):

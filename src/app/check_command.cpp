@@ -122,7 +122,6 @@ void print_softness(const BodyKind& kind, double step) {
                kind.prototype.mesh.n_vertices());
     return;
   }
-  constexpr double largest_alpha = 8.0 / 15;  // of a substep of the flow
   fmt::print("#   stiffness  none for body {} of {} vertices: {} substeps in the longest substep of the flow\n",
              kind.config.name, kind.prototype.mesh.n_vertices(),
              local_mass_substeps(largest_alpha, step, kind.layered_limit, kind.config.name));

@@ -296,6 +296,10 @@ enum class MotionKind { fixed, prescribed, rigid, hinge, deformable };
 /// one-way: the flow does not feel the body; loose, strong: who moves when, once a step or until they agree;
 /// force-spreading, local-mass: deformable bodies move with the flow in each substep; automatic: by the mass ratio.
 enum class CouplingKind { automatic, one_way, loose, strong, force_spreading, local_mass };
+/// Vertices of a deformable body so coupled move by Newton's law, which wants a mass.
+constexpr bool moves_by_newton(CouplingKind coupling) {
+  return coupling == CouplingKind::one_way || coupling == CouplingKind::loose || coupling == CouplingKind::strong;
+}
 /// The tables of named things within a [[body]].
 enum class PartKind { selection, tether, cord, pull };
 /// What moves a rigid or hinged body: the momentum balance of its forcing, or the stress at the ends of its probes.

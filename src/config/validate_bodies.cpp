@@ -4,22 +4,19 @@
 
 #include <algorithm>
 
-#include "config/validate.hpp"
+#include "config/body_validator.hpp"
 #include "config/word.hpp"
 
 namespace pliant {
 namespace {
 
-class MotionValidator {
+class MotionValidator : private BodyValidator {
  public:
   MotionValidator(const CaseConfig& config, const std::set<std::string>& suspect, std::vector<std::string>& problems)
-      : config_(config), suspect_(suspect), problems_(problems) {}
+      : BodyValidator(config, suspect, problems) {}
 
   void run() {
-    for (const auto& body : config_.bodies) {
-      if (body.name.empty()) continue;
-      prefix_ = "body." + body.name;
-      if (!trusted({"motion"})) continue;
+    for_each_body([this](const BodyConfig& body) {
       check_coupling(body);
       check_traction(body);
       switch (body.motion) {
@@ -39,24 +36,11 @@ class MotionValidator {
           check_hinge(body);
           break;
       }
-    }
+    });
     check_repulsion();
   }
 
  private:
-  /// Keys of the present body that have not been complained about.
-  bool trusted(std::initializer_list<const char*> keys) const {
-    return std::none_of(keys.begin(), keys.end(),
-                        [&](const char* key) { return suspect_.count(prefix_ + "." + key) > 0; });
-  }
-  void complain(const std::string& key, const std::string& what) {
-    const auto path = prefix_ + "." + key;
-    // A default has no place of its own; its body has.
-    const bool is_given = config_.origins.count(path) > 0;
-    problems_.push_back(is_given ? fmt::format("{} {}", place_of(config_, path), what)
-                                 : fmt::format("{}.{} {}", place_of(config_, prefix_), key, what));
-  }
-
   void check_coupling(const BodyConfig& body) {
     if (!trusted({"coupling"})) return;
     const auto word = word_for(body.coupling);
@@ -166,10 +150,6 @@ class MotionValidator {
                        [](const BodyConfig& body) { return body.motion == MotionKind::deformable; });
   }
 
-  const CaseConfig& config_;
-  const std::set<std::string>& suspect_;
-  std::vector<std::string>& problems_;
-  std::string prefix_;
 };
 
 }  // namespace

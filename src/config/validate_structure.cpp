@@ -4,48 +4,32 @@
 
 #include <algorithm>
 
-#include "config/validate.hpp"
+#include "config/body_validator.hpp"
 #include "config/word.hpp"
 
 namespace pliant {
 namespace {
 
-class StructureValidator {
+class StructureValidator : private BodyValidator {
  public:
   StructureValidator(const CaseConfig& config, const std::set<std::string>& suspect, std::vector<std::string>& problems)
-      : config_(config), suspect_(suspect), problems_(problems) {}
+      : BodyValidator(config, suspect, problems) {}
 
   void run() {
-    for (const auto& body : config_.bodies) {
-      if (body.name.empty()) continue;
-      prefix_ = "body." + body.name;
-      if (!trusted({"motion"})) continue;
+    for_each_body([this](const BodyConfig& body) {
       check_selections(body);
       check_uses(body);
-      if (body.motion != MotionKind::deformable) continue;
+      if (body.motion != MotionKind::deformable) return;
       check_mass(body);
       check_stiffness(body);
       check_pressure(body);
-    }
+    });
   }
 
  private:
-  bool trusted(const std::string& key) const { return suspect_.count(prefix_ + "." + key) == 0; }
-  bool trusted(std::initializer_list<const char*> keys) const {
-    return std::all_of(keys.begin(), keys.end(), [&](const char* key) { return trusted(std::string(key)); });
-  }
-  void complain(const std::string& key, const std::string& what) {
-    const auto path = prefix_ + "." + key;
-    const bool is_given = config_.origins.count(path) > 0;
-    problems_.push_back(is_given ? fmt::format("{} {}", place_of(config_, path), what)
-                                 : fmt::format("{}.{} {}", place_of(config_, prefix_), key, what));
-  }
-
   void check_mass(const BodyConfig& body) {
     if (!trusted({"mass_per_vertex", "coupling", "density", "thickness"})) return;
-    const bool needs_mass = body.coupling == CouplingKind::one_way || body.coupling == CouplingKind::loose ||
-                            body.coupling == CouplingKind::strong;
-    if (body.mass_per_vertex == 0.0 && needs_mass)
+    if (body.mass_per_vertex == 0.0 && moves_by_newton(body.coupling))
       complain("mass_per_vertex", fmt::format("is 0, but with coupling = \"{}\" Newton's law moves the vertices by "
                                               "themselves; give them a mass",
                                               word_for(body.coupling)));
@@ -138,10 +122,6 @@ class StructureValidator {
     refuse(PartKind::pull, body.pulls);
   }
 
-  const CaseConfig& config_;
-  const std::set<std::string>& suspect_;
-  std::vector<std::string>& problems_;
-  std::string prefix_;
 };
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "config/word.hpp"
+#include "flow/flow_solver.hpp"
 #include "mesh/geometry.hpp"
 #include "structure/placement.hpp"
 #include "structure/stable_time_step.hpp"
@@ -58,7 +59,6 @@ double wall_mass_ratio(const BodyKind& kind, double fluid_density) {
 }
 
 double force_spreading_limit(const BodyKind& kind) {
-  constexpr double largest_alpha = 8.0 / 15;  // of a substep
   return substep_safety * kind.layered_limit / largest_alpha;
 }
 

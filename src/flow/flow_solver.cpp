@@ -13,7 +13,7 @@
 namespace pliant {
 namespace {
 
-constexpr std::array<double, 3> rk_gamma{8.0 / 15, 5.0 / 12, 3.0 / 4};
+constexpr std::array<double, 3> rk_gamma{largest_alpha, 5.0 / 12, 3.0 / 4};
 constexpr std::array<double, 3> rk_rho{0, -17.0 / 60, -5.0 / 12};
 // The real axis is stable up to here for this Runge-Kutta scheme.
 constexpr double real_axis_limit = 2.5127;

@@ -36,6 +36,9 @@ struct Substep {
   double gamma, rho, alpha;
 };
 
+/// The alpha of the longest substep, the first.
+inline constexpr double largest_alpha = 8.0 / 15;
+
 /// Called between the prediction and the projection of a substep: the place of the immersed boundary, which changes the
 /// predicted velocity.
 using PredictedFlowHook = std::function<void(const Substep&, double dt, View<FaceX>, View<FaceY>, View<FaceZ>)>;

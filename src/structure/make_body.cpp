@@ -162,11 +162,9 @@ std::vector<double> vertex_masses(const BodyConfig& config, std::span<const doub
   std::vector<double> masses(vertex_areas.begin(), vertex_areas.end());
   const auto& material = config.material;
   const bool of_wall = !config.mass_per_vertex && material.thickness > 0;
-  const bool moves_alone = config.coupling == CouplingKind::one_way || config.coupling == CouplingKind::loose ||
-                           config.coupling == CouplingKind::strong;
   const double per_area = material.density.value_or(fluid_density) * material.thickness;
   for (double& mass : masses)
-    mass = of_wall ? per_area * mass : config.mass_per_vertex.value_or(moves_alone ? 1.0 : 0.0);
+    mass = of_wall ? per_area * mass : config.mass_per_vertex.value_or(moves_by_newton(config.coupling) ? 1.0 : 0.0);
   return masses;
 }
 
