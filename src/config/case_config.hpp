@@ -344,6 +344,12 @@ struct HingeConfig {
   double damping = 0, stiffness = 0, rest_angle = 0;  ///< torque -damping rate - stiffness (angle - rest_angle)
   double virtual_inertia = 0;                         ///< added on both sides of the equation of motion
 };
+/// When a body acts on the flow: in a part of each period, from phase[0] on and not from phase[1] on; over the end of
+/// the period if phase[0] is the larger one.
+struct ScheduleConfig {
+  double period = 0;
+  std::array<double, 2> phase{0, 1};
+};
 struct BodyConfig {
   std::string name;
   SurfaceSpec surface;
@@ -353,6 +359,7 @@ struct BodyConfig {
   MotionKind motion = MotionKind::deformable;
   CouplingKind coupling = CouplingKind::automatic;
   PathConfig path;
+  std::optional<ScheduleConfig> schedule;  ///< none: it always acts
   MaterialConfig material;
   RigidConfig rigid;
   HingeConfig hinge;

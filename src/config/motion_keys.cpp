@@ -45,6 +45,24 @@ void add_path(std::vector<BodyKey>& keys) {
                            [](auto& b) { return &b.path.pivot; })));
 }
 
+void add_schedule(std::vector<BodyKey>& keys) {
+  const auto add = [&](KeyText text, auto ScheduleConfig::*value, Limits limits) {
+    keys.push_back(required(make_key<BodyConfig>(
+        std::move(text),
+        [value](auto& b) {
+          auto* schedule = member(b.schedule);
+          return schedule ? &(schedule->*value) : nullptr;
+        },
+        limits)));
+  };
+  add({"schedule.period", "time", "of the cycle in which the body comes and goes; t = 0 is phase 0"},
+      &ScheduleConfig::period, positive());
+  add({"schedule.phase", "",
+       "part of each period, from 0 to 1, in which the body acts on the flow; in the rest it is not there. [0.9, 0.2] "
+       "goes on over the end of the period. Each step has the body or not, by the time in its middle"},
+      &ScheduleConfig::phase, zero_or_one);
+}
+
 void add_material(std::vector<BodyKey>& keys) {
   keys.push_back(when_material(make_key<BodyConfig>(
       {"density", "mass / length^3", "of the body's material; default: the fluid's"},
@@ -164,6 +182,7 @@ void add_motion_keys(std::vector<BodyKey>& keys) {
                                  "once a step; the body's table has what it took"},
                                 [](auto& b) { return &b.volume_correction; })));
   add_path(keys);
+  add_schedule(keys);
   add_material(keys);
   add_rigid(keys);
   add_hinge(keys);

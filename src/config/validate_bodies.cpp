@@ -19,6 +19,7 @@ class MotionValidator : private BodyValidator {
     for_each_body([this](const BodyConfig& body) {
       check_coupling(body);
       check_traction(body);
+      check_schedule(body);
       switch (body.motion) {
         case MotionKind::fixed:
         case MotionKind::deformable:
@@ -73,6 +74,25 @@ class MotionValidator : private BodyValidator {
       complain("loads",
                "is \"probes\", but traction.form is \"none\", which has no probes; choose another form, or loads = "
                "\"momentum-balance\"");
+  }
+
+  void check_schedule(const BodyConfig& body) {
+    if (!body.schedule || !trusted({"schedule.period", "schedule.phase", "coupling"})) return;
+    if (body.motion != MotionKind::fixed && body.motion != MotionKind::prescribed)
+      return complain(
+          "schedule",
+          fmt::format("is given, but motion is \"{}\": while the body is not there nothing would move it, and "
+                      "where it comes back would mean nothing; only bodies whose place is known beforehand "
+                      "(\"fixed\", \"prescribed\") have a schedule",
+                      word_for(body.motion)));
+    if (body.coupling == CouplingKind::one_way)
+      complain("schedule",
+               "is given, but coupling is \"one-way\", so that the flow never feels the body; leave out one");
+    if (body.schedule->phase[0] == body.schedule->phase[1])
+      complain("schedule.phase",
+               fmt::format("begins and ends at {}; a body that always acts needs no schedule, one that "
+                           "never does is left out",
+                           body.schedule->phase[0]));
   }
 
   void check_axis(const char* key, Vec3 axis) {
@@ -149,7 +169,6 @@ class MotionValidator : private BodyValidator {
     return std::any_of(config_.bodies.begin(), config_.bodies.end(),
                        [](const BodyConfig& body) { return body.motion == MotionKind::deformable; });
   }
-
 };
 
 }  // namespace

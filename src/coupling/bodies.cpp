@@ -15,6 +15,7 @@
 #include "parallel/agree.hpp"
 #include "parallel/sparse_exchange.hpp"
 #include "structure/place_bodies.hpp"
+#include "structure/schedule_of_body.hpp"
 
 namespace pliant {
 namespace {
@@ -46,6 +47,25 @@ Bodies::Bodies(const CaseConfig& config, const Grid& grid) : grid_(grid), first_
       Body body = make_copy(k, first_id_[k] + static_cast<long>(c), placed[k].placements[c]);
       if (home_of(body) == grid.ranks().rank()) bodies_.push_back(std::move(body));
     }
+  is_on_.assign(kinds_.size(), true);
+  follow_schedules(0);
+}
+
+std::vector<std::size_t> Bodies::follow_schedules(double time) {
+  std::vector<std::size_t> changed;
+  for (std::size_t k = 0; k < kinds_.size(); ++k) {
+    const auto& schedule = kinds_[k].config.schedule;
+    const bool is_on = !schedule || pliant::is_on(*schedule, time);
+    if (is_on != is_on_[k]) changed.push_back(k);
+    is_on_[k] = is_on;
+  }
+  for (Body& body : bodies_)
+    if (!is_on(body)) {
+      body.loads = {};
+      body.slip = {};
+      body.stresses = {};
+    }
+  return changed;
 }
 
 Body Bodies::blank_copy(std::size_t kind, long id) const {

@@ -36,6 +36,14 @@ class Bodies {
   /// Changes, on all ranks alike, whenever a body has changed its rank.
   long arrangement() const { return arrangement_; }
 
+  /// Whether a body, or a kind of bodies, acts on the flow in the present step, as its schedule says. Known to all
+  /// ranks.
+  bool is_on(std::size_t kind) const { return is_on_[kind]; }
+  bool is_on(const Body& body) const { return is_on_[body.kind]; }
+  /// The present step is one with its middle at this time. Returns the kinds that have come or gone; those that have
+  /// gone have no loads any more. Begins at time 0.
+  std::vector<std::size_t> follow_schedules(double time);
+
   /// Hands bodies that have left this rank's slab to their new ranks. Collective. Throws CollectiveError if a body was
   /// lost.
   void migrate();
@@ -55,6 +63,7 @@ class Bodies {
 
   Grid grid_;
   std::vector<BodyKind> kinds_;
+  std::vector<bool> is_on_;  // by kind
   std::vector<long> first_id_;
   std::vector<Body> bodies_;
   long arrangement_ = 0;

@@ -32,7 +32,7 @@ void Contact::find(Bodies& bodies) const {
   std::vector<Vec3> positions;
   std::vector<double> numbers;  // area and body of every vertex
   for (const Body& body : bodies.own()) {
-    if (!bodies.kind_of(body).has_pose()) continue;
+    if (!bodies.kind_of(body).has_pose() || !bodies.is_on(body)) continue;
     const auto areas = vertex_areas(body.surface.mesh, body.surface.positions);
     for (std::size_t v = 0; v < areas.size(); ++v) {
       positions.push_back(body.surface.positions[v]);
@@ -66,7 +66,7 @@ void Contact::find(Bodies& bodies) const {
 
   std::size_t at = 0;
   for (Body& body : bodies.own()) {
-    if (!bodies.kind_of(body).has_pose()) continue;
+    if (!bodies.kind_of(body).has_pose() || !bodies.is_on(body)) continue;
     const std::size_t n = body.surface.positions.size();
     body.loads.contact =
         body.loads.pressed + total_load(body.surface.positions, std::span(forces).subspan(at, n), body.pose.center);

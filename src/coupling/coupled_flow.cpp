@@ -44,6 +44,21 @@ CoupledFlow::CoupledFlow(const CaseConfig& config, FlowSolver& flow, Bodies& bod
   if (start == RunStart::anew) boundary_->adopt_inner_motion(bodies_, flow_.state());
 }
 
+void CoupledFlow::follow_schedules(double time) {
+  const auto changed = bodies_.follow_schedules(time);
+  if (changed.empty() || !boundary_) return;
+  settle();
+  const auto scope = timer_.measure("bodies: markers");
+  boundary_->follow_schedules(bodies_, flow_.state(), changed);
+}
+
+/// Without a body in it the flow is the one that never had any, to the bit.
+bool CoupledFlow::is_followed() const {
+  for (std::size_t k = 0; k < bodies_.kinds().size(); ++k)
+    if (bodies_.kinds()[k].forces_flow() && bodies_.is_on(k)) return true;
+  return false;
+}
+
 void CoupledFlow::place_markers() {
   if (!boundary_) return;
   const auto scope = timer_.measure("bodies: markers");
@@ -65,16 +80,18 @@ FlowHooks CoupledFlow::hooks() {
     };
   }
   const bool merges = force_spreading_ && force_spreading_->wants_predicted();
-  if (boundary_ || local_mass_ || merges)
-    hooks.predicted = [this, merges](const Substep& substep, double dt, View<FaceX> u, View<FaceY> v, View<FaceZ> w) {
+  const bool forces = is_followed();
+  if (forces || local_mass_ || merges)
+    hooks.predicted = [this, merges, forces](const Substep& substep, double dt, View<FaceX> u, View<FaceY> v,
+                                             View<FaceZ> w) {
       if (merges || local_mass_) {
         const auto scope = timer_.measure("bodies: soft, within fluid");
         if (merges) force_spreading_->predicted(substep, dt, u, v, w);
         if (merges && local_mass_) copies_.fill(u, v, w);
         if (local_mass_) local_mass_->predicted(substep, dt, u, v, w);
-        if (boundary_) copies_.fill(u, v, w);
+        if (forces) copies_.fill(u, v, w);
       }
-      if (!boundary_) return;
+      if (!forces) return;
       const auto scope = timer_.measure("bodies: forcing, within fluid");
       boundary_->apply(substep, dt, u, v, w);
     };

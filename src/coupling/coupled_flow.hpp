@@ -30,6 +30,9 @@ class CoupledFlow {
   const FluidConfig& fluid() const { return config_.fluid; }
   const FlowSampler& sampler() const { return sampler_; }
 
+  /// A step begins, with its middle at this time: bodies come and go by their schedules. Collective. Throws
+  /// CollectiveError.
+  void follow_schedules(double time);
   /// Tells the flow where the bodies that move are now, and how fast. Collective.
   void place_markers();
   /// Moves the fluid through a step; it follows the markers. Collective.
@@ -74,6 +77,7 @@ class CoupledFlow {
 
  private:
   Vec3 driving() const;
+  bool is_followed() const;
   void settle();
   FlowHooks hooks();
 

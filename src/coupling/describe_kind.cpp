@@ -25,6 +25,9 @@ std::string describe(const BodyKind& kind, long copies) {
     if (kind.wall_mass_ratio > 0)
       text += fmt::format(", its mass {:.2g} of the fluid's around it", kind.wall_mass_ratio);
   }
+  if (const auto& schedule = kind.config.schedule)
+    text += fmt::format(", acts on the flow from phase {:.4g} to {:.4g} of each period of {:.6g}", schedule->phase[0],
+                        schedule->phase[1], schedule->period);
   std::string reason;
   const auto coupling = choose_coupling(kind, reason);
   if (kind.is_free() || !kind.has_pose() || coupling == CouplingKind::one_way)

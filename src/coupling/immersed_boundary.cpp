@@ -25,14 +25,21 @@ std::span<const Vec3> part(std::span<const Vec3> all, std::size_t begin, std::si
   return all.subspan(begin, end - begin);
 }
 
-bool belongs(const BodyKind& kind, MarkerGroup group) {
-  return kind.forces_flow() && (kind.config.motion == MotionKind::fixed) == (group == MarkerGroup::fixed);
+MarkerGroup group_for(const BodyKind& kind) {
+  return kind.config.motion == MotionKind::fixed ? MarkerGroup::fixed : MarkerGroup::moving;
 }
 
+/// The flow has to follow it in the present step, in this group.
+bool belongs(const Bodies& bodies, std::size_t kind, MarkerGroup group) {
+  const BodyKind& of = bodies.kinds()[kind];
+  return of.forces_flow() && bodies.is_on(kind) && group_for(of) == group;
+}
+bool belongs(const Bodies& bodies, const Body& body, MarkerGroup group) { return belongs(bodies, body.kind, group); }
+
 bool has_sheets(const Bodies& bodies, MarkerGroup group) {
-  const auto kinds = bodies.kinds();
-  return std::any_of(kinds.begin(), kinds.end(),
-                     [&](const BodyKind& kind) { return belongs(kind, group) && kind.is_thin_sheet(); });
+  for (std::size_t k = 0; k < bodies.kinds().size(); ++k)
+    if (belongs(bodies, k, group) && bodies.kinds()[k].is_thin_sheet()) return true;
+  return false;
 }
 
 /// Mean velocity and rotation of markers, weighted by area: exact if they move as a rigid body.
@@ -100,7 +107,7 @@ void ImmersedBoundary::gather(const Bodies& bodies, MarkerGroup which, Group& gr
   MarkerSet& of_body = group.of_body;
   for (const Body& body : bodies.own()) {
     const auto& kind = bodies.kind_of(body);
-    if (!belongs(kind, which)) continue;
+    if (!belongs(bodies, body, which)) continue;
     if (kind.has_pose()) {
       group.positions.resize(kind.reference.size());
       group.velocities.resize(kind.reference.size());
@@ -122,7 +129,7 @@ void ImmersedBoundary::gather(const Bodies& bodies, MarkerGroup which, Group& gr
 std::string ImmersedBoundary::find_outside(const Bodies& bodies, MarkerGroup which) const {
   const auto& router = groups_[static_cast<std::size_t>(which)].router;
   for (const Body& body : bodies.own()) {
-    if (!belongs(bodies.kind_of(body), which)) continue;
+    if (!belongs(bodies, body, which)) continue;
     const auto vertex = router.first_outside(body.surface.positions);
     if (vertex == body.surface.positions.size()) continue;
     const Vec3 x = body.surface.positions[vertex];
@@ -138,7 +145,7 @@ std::string ImmersedBoundary::find_outside(const Bodies& bodies, MarkerGroup whi
 void ImmersedBoundary::place(Bodies& bodies, MarkerGroup which) {
   agree(grid_.ranks(), find_outside(bodies, which));
   for (Body& body : bodies.own())
-    if (belongs(bodies.kind_of(body), which)) tell(body, bodies.kind_of(body));
+    if (belongs(bodies, body, which)) tell(body, bodies.kind_of(body));
   place_as_told(bodies, which);
 }
 
@@ -235,11 +242,27 @@ void ImmersedBoundary::measure_slip(Bodies& bodies, const FlowState& flow) {
 }
 
 void ImmersedBoundary::adopt_inner_motion(Bodies& bodies, const FlowState& flow) {
+  adopt_inner_motion(bodies, flow, [](const Body&) { return true; });
+}
+
+void ImmersedBoundary::follow_schedules(Bodies& bodies, const FlowState& flow, std::span<const std::size_t> changed) {
+  for (const MarkerGroup which : {MarkerGroup::fixed, MarkerGroup::moving})
+    if (std::any_of(changed.begin(), changed.end(),
+                    [&](std::size_t kind) { return group_for(bodies.kinds()[kind]) == which; }))
+      place(bodies, which);
+  adopt_inner_motion(bodies, flow, [&](const Body& body) {
+    return std::find(changed.begin(), changed.end(), body.kind) != changed.end();
+  });
+}
+
+void ImmersedBoundary::adopt_inner_motion(Bodies& bodies, const FlowState& flow,
+                                          const std::function<bool(const Body&)>& is_asked) {
   for (const MarkerGroup which : {MarkerGroup::fixed, MarkerGroup::moving}) {
     const auto velocities = flow_at_markers(flow, which);
     const auto& group = group_of(which);
     for (const Part& p : group.parts) {
       Body& body = *bodies.find(p.body);
+      if (!is_asked(body)) continue;
       if (!bodies.kind_of(body).has_pose()) {
         adopt_vertex_velocities(body, bodies.kind_of(body), part(velocities, p.begin, p.end),
                                 part(group.markers.areas, p.begin, p.end));

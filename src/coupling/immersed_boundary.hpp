@@ -21,6 +21,9 @@ class ImmersedBoundary {
   /// Gives every body that acts on the flow the motion that the fluid inside it has now, as what the flow was told
   /// before: the start of a run. Vertices of deformable bodies take the flow's velocity. Collective.
   void adopt_inner_motion(Bodies& bodies, const FlowState& flow);
+  /// Kinds of bodies have come or gone by their schedules: places markers anew, and gives those that have come the
+  /// motion of the fluid that they now enclose. Collective. Throws CollectiveError.
+  void follow_schedules(Bodies& bodies, const FlowState& flow, std::span<const std::size_t> changed);
 
   /// The forcing of one substep, to be called as FlowSolver's hook.
   void apply(const Substep& substep, double dt, View<FaceX> u, View<FaceY> v, View<FaceZ> w) {
@@ -55,6 +58,7 @@ class ImmersedBoundary {
   void place_as_told(const Bodies& bodies, MarkerGroup which);
   void gather(const Bodies& bodies, MarkerGroup which, Group& group) const;
   void leave_out_along(const Bodies& bodies, Group& group);
+  void adopt_inner_motion(Bodies& bodies, const FlowState& flow, const std::function<bool(const Body&)>& is_asked);
   std::string find_outside(const Bodies& bodies, MarkerGroup which) const;
   std::span<const Vec3> flow_at_markers(const FlowState& flow, MarkerGroup which);
 

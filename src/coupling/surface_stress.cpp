@@ -51,7 +51,7 @@ void find_stresses(Bodies& bodies, const FlowSampler& flow, const Grid& grid, Ve
   for (std::size_t b = 0; b < own.size(); ++b) {
     Body& body = own[b];
     const auto& kind = bodies.kind_of(body);
-    if (!is_asked(kind, which)) continue;
+    if (!is_asked(kind, which) || !bodies.is_on(body)) continue;
     set_sites_of(body, kind);
     probe_points(body.sites, kind.probes, of_body);
     const auto outside = box.first_outside(of_body);

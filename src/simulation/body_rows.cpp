@@ -65,11 +65,12 @@ void add_loads(const Body& body, const BodyKind& kind, Row& row) {
   if (kind.is_soft() && kind.is_closed()) row.add("volume_restored", body.volume_restored);
 }
 
-Row row_of(const Body& body, const BodyKind& kind, long copy, long copies) {
+Row row_of(const Body& body, const BodyKind& kind, bool is_on, long copy, long copies) {
   Row row;
   if (copies > 1) row.add("body", static_cast<double>(copy + 1));
   if (kind.has_pose()) add_motion(body, kind, row);
   else add_shape(body, row);
+  if (kind.config.schedule) row.add("on", is_on ? 1 : 0);
   if (kind.acts_on_flow()) add_loads(body, kind, row);
   return row;
 }
@@ -79,11 +80,11 @@ Row row_of(const Body& body, const BodyKind& kind, long copy, long copies) {
 std::vector<std::string> body_columns(const BodyKind& kind, long copies) {
   Body specimen;
   specimen.surface = kind.prototype;
-  return row_of(specimen, kind, 0, copies).names;
+  return row_of(specimen, kind, true, 0, copies).names;
 }
 
-std::vector<double> body_row(const Body& body, const BodyKind& kind, long copy, long copies) {
-  return row_of(body, kind, copy, copies).values;
+std::vector<double> body_row(const Body& body, const BodyKind& kind, bool is_on, long copy, long copies) {
+  return row_of(body, kind, is_on, copy, copies).values;
 }
 
 }  // namespace pliant

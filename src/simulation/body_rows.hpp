@@ -11,6 +11,6 @@ namespace pliant {
 std::vector<std::string> body_columns(const BodyKind& kind, long copies);
 
 /// A body's values in these columns.
-std::vector<double> body_row(const Body& body, const BodyKind& kind, long copy, long copies);
+std::vector<double> body_row(const Body& body, const BodyKind& kind, bool is_on, long copy, long copies);
 
 }  // namespace pliant

@@ -24,8 +24,8 @@ void BodyTables::write(Moment moment, const Bodies& bodies) {
   if (widths_.empty()) return;
   std::vector<double> mine;
   for (const Body& body : bodies.own()) {
-    const auto row =
-        body_row(body, bodies.kind_of(body), body.id - bodies.first_id(body.kind), bodies.count(body.kind));
+    const auto row = body_row(body, bodies.kind_of(body), bodies.is_on(body), body.id - bodies.first_id(body.kind),
+                              bodies.count(body.kind));
     mine.push_back(static_cast<double>(body.kind));
     mine.insert(mine.end(), row.begin(), row.end());
   }

@@ -161,6 +161,7 @@ void Simulation::Impl::begin_from_checkpoint() {
     const auto strong_state = run.read_vector<double>();
     run.expect_end();
     strong.restore(strong_state);
+    bodies.follow_schedules(saved.time - 0.5 * dt);
     coupled.emplace(config, flow, bodies, RunStart::continued);
     now = {saved.step, saved.time};
     if (!goes_on) require_unused(options.output, checkpoint.file, ranks);
@@ -316,6 +317,7 @@ void Simulation::Impl::warn_of_first_step(double step) const {
 void Simulation::Impl::advance(double step) {
   const double end = step == next_event - now.time ? next_event : now.time + step;
   try {
+    coupled->follow_schedules(end - 0.5 * step);
     if (coupled->has_strong()) iterations = strong.advance(*coupled, end, step).iterations;
     else advance_loose(*coupled, end, step);
     coupled->advance_one_way_bodies(step);

@@ -45,6 +45,7 @@ SurfaceBatch surface_batch(const Bodies& bodies, std::size_t kind_index) {
   const auto vertex = SurfaceCenter::vertex, face = SurfaceCenter::face;
   const bool has_stress = kind.acts_on_flow() && kind.config.traction.form != TractionForm::none;
   const bool has_inner = has_stress && !kind.is_closed();
+  const bool has_schedule = kind.config.schedule.has_value();
   SurfaceBatch batch;
   batch.sets = {{"positions", vertex, 3, {}}, {"velocity", vertex, 3, {}}, {"force", vertex, 3, {}}};
   if (has_stress) {
@@ -55,6 +56,7 @@ SurfaceBatch surface_batch(const Bodies& bodies, std::size_t kind_index) {
     batch.sets.push_back({"inner_pressure", face, 1, {}});
     batch.sets.push_back({"inner_shear", face, 3, {}});
   }
+  if (has_schedule) batch.sets.push_back({"on", face, 1, {}});
   for (const Body& body : bodies.own()) {
     if (body.kind != kind_index) continue;
     const auto& surface = body.surface;
@@ -70,6 +72,10 @@ SurfaceBatch surface_batch(const Bodies& bodies, std::size_t kind_index) {
     if (has_inner) {
       append(batch.sets[5].values, body.stresses.inner.pressure, n_faces);
       append(batch.sets[6].values, body.stresses.inner.shear, n_faces);
+    }
+    if (has_schedule) {
+      auto& values = batch.sets.back().values;
+      values.insert(values.end(), n_faces, bodies.is_on(body) ? 1.0 : 0.0);
     }
   }
   return batch;

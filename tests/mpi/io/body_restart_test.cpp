@@ -144,6 +144,19 @@ TEST(BodyRestart, OfBodiesThatDeformTogetherWithTheFlow) {
   expect_continued(config, Pairs::from_all_ranks);
 }
 
+TEST(BodyRestart, OfBodiesThatComeAndGo) {
+  auto config = everything(CouplingKind::loose, StrongScheme::automatic);
+  auto shutter = ball("shutter", MotionKind::fixed, {0, 0, 1.2}, 1);
+  shutter.surface = PlateSurface{{0.8, 0.9}, 0.25};
+  config.bodies.push_back(shutter);
+  for (auto& body : config.bodies) {  // switched before and after the restart, some there as it happens, some not
+    if (body.name == "rock") body.schedule = ScheduleConfig{0.2, {0.2, 0.7}};
+    if (body.name == "told") body.schedule = ScheduleConfig{0.2, {0.9, 0.3}};
+    if (body.name == "shutter") body.schedule = ScheduleConfig{0.15, {0.5, 1}};
+  }
+  expect_continued(config, Pairs::all);
+}
+
 TEST(BodyRestart, OfADeformableBodyThatIsCoupledStrongly) {
   auto config = small_box({9, 8, 9});
   config.checkpoint.keep = 2;

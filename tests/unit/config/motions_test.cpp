@@ -42,6 +42,23 @@ TEST(Motions, OnlyDeformableBodiesMoveWithTheFlow) {
   }
 }
 
+TEST(Motions, SchedulesAreForBodiesWhosePlaceIsKnown) {
+  const std::string schedule = "schedule = { period = 28.8, phase = [0.62, 1.0] }";
+  for (const char* motion : {"fixed", "prescribed"}) EXPECT_THAT(problems_of(ball(motion, schedule)), IsEmpty());
+  EXPECT_THAT(problems_of(ball("fixed", "schedule = { period = 1, phase = [0.9, 0.1] }")), IsEmpty());
+  for (const char* motion : {"rigid", "hinge", "deformable"})
+    EXPECT_THAT(problems_of(ball(motion, schedule)),
+                ElementsAre(AllOf(HasSubstr("body.a.schedule is given, but motion is"), HasSubstr(motion))));
+  EXPECT_THAT(problems_of(ball("fixed", "schedule = { period = 1, phase = [0.3, 0.3] }")),
+              ElementsAre(HasSubstr("case.toml:6: body.a.schedule.phase begins and ends at 0.3")));
+  EXPECT_THAT(problems_of(ball("fixed", "schedule = { period = 0, phase = [0.3, 1.3] }")),
+              ElementsAre(HasSubstr("schedule.period must be > 0"), HasSubstr("schedule.phase second number must be")));
+  EXPECT_THAT(problems_of(ball("fixed", "schedule = { phase = [0.3, 1] }")),
+              ElementsAre(HasSubstr("schedule.period is missing")));
+  EXPECT_THAT(problems_of(ball("prescribed", "coupling = \"one-way\"\n" + schedule)),
+              ElementsAre(HasSubstr("body.a.schedule is given, but coupling is \"one-way\"")));
+}
+
 TEST(Motions, FreeBodiesActOnTheFlow) {
   for (const char* motion : {"rigid", "hinge"})
     EXPECT_THAT(problems_of(ball(motion, "coupling = \"one-way\"")),
