@@ -384,6 +384,7 @@ struct BodyConfig {
 
 struct ImmersedBoundaryConfig {
   int forcing_iterations = 1;
+  bool carry_forces = true;
 };
 
 /// automatic: quasi-newton where deformable bodies are coupled strongly, else aitken.

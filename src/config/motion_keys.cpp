@@ -195,6 +195,10 @@ void add_interaction_keys(std::vector<Key<CaseConfig>>& keys) {
        "times that velocities are compared and forces spread within a substep"},
       [](auto& c) { return &c.immersed_boundary.forcing_iterations; }, between(1, 100)));
   add(make_key<CaseConfig>(
+      {"immersed_boundary.carry_forces", "",
+       "the forces on fixed bodies begin each substep as those of the one before: walls under a pressure do not leak"},
+      [](auto& c) { return &c.immersed_boundary.carry_forces; }));
+  add(make_key<CaseConfig>(
       {"coupling.scheme", "",
        "of strong coupling: fixed point with Aitken relaxation or by interface quasi-Newton, or Hamming's "
        "predictor-corrector; auto: quasi-newton for deformable bodies, else aitken"},

@@ -26,6 +26,7 @@ void write_body(const Body& body, const BodyKind& kind, ByteWriter& out) {
   out.write(body.scheme);
   out.write(body.swing);
   out.write(body.turning_swing);
+  out.write(body.carried_forces);
   if (kind.has_pose()) return;  // the vertices follow
   out.write(body.surface.positions);
   out.write(body.surface.velocities);
@@ -53,6 +54,7 @@ void read_body(ByteReader& in, const BodyKind& kind, Body& body) {
   in.read(body.scheme);
   in.read(body.swing);
   in.read(body.turning_swing);
+  in.read(body.carried_forces);
   if (kind.has_pose()) {
     follow_pose(body, kind);
     return;

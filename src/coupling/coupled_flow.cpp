@@ -101,6 +101,7 @@ FlowHooks CoupledFlow::hooks() {
 void CoupledFlow::advance_fluid(double step) {
   last_step_ = step;
   const auto scope = timer_.measure("fluid");
+  if (boundary_) boundary_->begin_step(bodies_);
   if (local_mass_) local_mass_->begin();
   flow_.advance(step, hooks());
 }
@@ -164,6 +165,7 @@ RigidLoad CoupledFlow::load_on(const Body& body) const {
 
 void CoupledFlow::accept() {
   for (Body& body : bodies_.own()) body.told_before = body.told;
+  if (boundary_) boundary_->end_step(bodies_);
 }
 
 void CoupledFlow::advance_one_way_bodies(double step) {

@@ -97,6 +97,7 @@ ImmersedBoundary::ImmersedBoundary(const Grid& grid, const CaseConfig& config)
     : grid_(grid),
       density_(config.fluid.density),
       viscosity_(config.fluid.viscosity / config.fluid.density),
+      carries_forces_(config.immersed_boundary.carry_forces),
       forcing_(grid, config.fluid.density, config.immersed_boundary.forcing_iterations),
       groups_{Group(grid), Group(grid)} {}
 
@@ -176,6 +177,31 @@ void ImmersedBoundary::place_sheets(const Bodies& bodies, Group& group, MarkerGr
         group.router.send(group.own_vectors, held);
       },
       which);
+}
+
+void ImmersedBoundary::begin_step(const Bodies& bodies) {
+  if (!carries_forces_) return;
+  auto& group = group_of(MarkerGroup::fixed);
+  group.own_vectors.assign(group.markers.areas.size(), Vec3{});
+  for (const Part& p : group.parts) {
+    const auto& carried = bodies.find(p.body)->carried_forces;
+    std::copy(carried.begin(), carried.end(), group.own_vectors.begin() + static_cast<std::ptrdiff_t>(p.begin));
+  }
+  group.router.send(group.own_vectors, group.held_vectors);
+  forcing_.carry(group.held_vectors, MarkerGroup::fixed);
+}
+
+void ImmersedBoundary::end_step(Bodies& bodies) {
+  if (!carries_forces_) return;
+  auto& group = group_of(MarkerGroup::fixed);
+  group.held_vectors.assign(group.router.held().size(), Vec3{});
+  group.own_vectors.resize(group.markers.areas.size());
+  forcing_.add_carried(group.held_vectors, MarkerGroup::fixed);
+  group.router.collect(group.held_vectors, group.own_vectors);
+  for (const Part& p : group.parts) {
+    const auto own = part(group.own_vectors, p.begin, p.end);
+    bodies.find(p.body)->carried_forces.assign(own.begin(), own.end());
+  }
 }
 
 void ImmersedBoundary::find_reactions(Bodies& bodies, MarkerGroup which, double step, Vec3 driving) {

@@ -25,6 +25,11 @@ class ImmersedBoundary {
   /// motion of the fluid that they now enclose. Collective. Throws CollectiveError.
   void follow_schedules(Bodies& bodies, const FlowState& flow, std::span<const std::size_t> changed);
 
+  /// Fixed bodies begin a step with the forces that it took to hold the flow in the one before, and keep those that it
+  /// took now. Collective.
+  void begin_step(const Bodies& bodies);
+  void end_step(Bodies& bodies);
+
   /// The forcing of one substep, to be called as FlowSolver's hook.
   void apply(const Substep& substep, double dt, View<FaceX> u, View<FaceY> v, View<FaceZ> w) {
     forcing_.apply(substep, dt, u, v, w);
@@ -64,6 +69,7 @@ class ImmersedBoundary {
 
   Grid grid_;
   double density_, viscosity_;  // kinematic
+  bool carries_forces_;
   DirectForcing forcing_;
   std::array<Group, 2> groups_;
 };

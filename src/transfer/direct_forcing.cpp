@@ -22,6 +22,7 @@ void DirectForcing::place(std::span<const Vec3> positions, std::span<const doubl
   fields_.reach(set_of(MarkerGroup::moving).markers);
   for (auto* vectors : {&set.wanted, &set.found, &set.impulse}) vectors->assign(set.markers.padded_size());
   set.complete = nullptr;
+  set.carries = false;
   set_velocities(velocities, group);
 }
 
@@ -37,6 +38,29 @@ void DirectForcing::set_sheets(std::span<const Vec3> normals, double viscosity, 
   for (double& r : set.resistance) r /= 2 * viscosity;
 }
 
+void DirectForcing::carry(std::span<const Vec3> forces, MarkerGroup group) {
+  Set& set = set_of(group);
+  set.carries = true;
+  set.carried.assign(set.markers.padded_size());
+  const auto indices = set.markers.indices();
+  for (int c = 0; c < 3; ++c) {
+    const auto share = set.markers.share(c);
+    for (std::size_t m = 0; m < indices.size(); ++m)
+      if (share[m] != 0) set.carried[c][m] = forces[static_cast<std::size_t>(indices[m])][c];
+  }
+}
+
+void DirectForcing::add_carried(std::span<Vec3> forces, MarkerGroup group) const {
+  const Set& set = set_of(group);
+  if (!set.carries) return;
+  const auto indices = set.markers.indices();
+  for (int c = 0; c < 3; ++c) {
+    const auto share = set.markers.share(c);
+    for (std::size_t m = 0; m < indices.size(); ++m)
+      if (share[m] != 0) forces[static_cast<std::size_t>(indices[m])][c] += set.carried[c][m];
+  }
+}
+
 void DirectForcing::set_velocities(std::span<const Vec3> velocities, MarkerGroup group) {
   Set& set = set_of(group);
   const auto indices = set.markers.indices();
@@ -50,9 +74,43 @@ void DirectForcing::apply(const Substep& substep, double dt, View<FaceX> u, View
     for (Set& set : sets_) set.impulse.assign(set.markers.padded_size());
   for (Set& set : sets_)
     if (set.complete) set.along.assign(set.normals.size(), Vec3{});
+  bool is_touched = spread_carried(substep.alpha * density_, substep.alpha * dt, u, v, w);
   for (int n = 0; n < iterations_; ++n) {
-    if (n > 0) copies_.fill(u, v, w);
+    if (is_touched) copies_.fill(u, v, w);
     force_once(substep.alpha * density_, substep.alpha * dt, u, v, w);
+    is_touched = true;
+  }
+}
+
+// Returns whether the velocity was changed.
+bool DirectForcing::spread_carried(double weight, double dt_alpha, View<FaceX> u, View<FaceY> v, View<FaceZ> w) {
+  bool any = false;
+  for (Set& set : sets_) {
+    if (!set.carries) continue;
+    any = true;
+    for (int c = 0; c < 3; ++c) {
+      const auto volume = set.markers.volume(c);
+      for (std::size_t m = 0; m < volume.size(); ++m) set.impulse[c][m] += weight * volume[m] * set.carried[c][m];
+    }
+    if (set.complete) begin_along(set);
+    set.markers.for_each_block([&](const StencilBlock& block) { spread(set.markers, block, set.carried, fields_); });
+  }
+  if (!any) return false;
+  fields_.gather();
+  fields_.move_to(dt_alpha, u, v, w);
+  return true;
+}
+
+// What is carried counts among the forces along a sheet, which its layer's flow resists.
+void DirectForcing::begin_along(Set& set) {
+  const auto indices = set.markers.indices();
+  std::fill(set.whole.begin(), set.whole.end(), Vec3{});
+  add_carried(set.whole, &set == &set_of(MarkerGroup::fixed) ? MarkerGroup::fixed : MarkerGroup::moving);
+  set.complete(set.whole);
+  for (std::size_t m = 0; m < indices.size(); ++m) {
+    if (set.resistance[m] <= 0) continue;
+    const Vec3 n = set.normals[m], force = set.whole[static_cast<std::size_t>(indices[m])];
+    set.along[m] = force - dot(force, n) * n;
   }
 }
 
@@ -83,6 +141,8 @@ void DirectForcing::force_set(Set& set, bool is_last, double weight, double dt_a
         set.found[c][m] = factor * (set.wanted[c][m] - set.found[c][m]);
         set.impulse[c][m] += weight * volume[m] * set.found[c][m];
       }
+      if (set.carries)
+        for (std::size_t m = begin; m < end; ++m) set.carried[c][m] += set.found[c][m];
     }
     spread(set.markers, block, set.found, fields_);
     if (is_last) fields_.settle(set.markers.lowest_plane_from(block.first_batch + block.n_batches), dt_alpha, u, v, w);
@@ -114,6 +174,7 @@ void DirectForcing::force_sheets(Set& set, double weight, double dt_alpha, View<
     for (int c = 0; c < 3; ++c) {
       set.found[c][m] = force[c];
       set.impulse[c][m] += weight * set.markers.volume(c)[m] * force[c];
+      if (set.carries) set.carried[c][m] += force[c];
     }
   }
   set.markers.for_each_block([&](const StencilBlock& block) { spread(set.markers, block, set.found, fields_); });

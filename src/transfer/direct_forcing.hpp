@@ -24,6 +24,10 @@ enum class MarkerGroup { fixed, moving };
 ///
 ///   F <- F + ((V - U)/(alpha dt) - r F)/(1 + r),   r = d h/(2 nu alpha dt), F: all of this substep.
 ///
+/// Of markers that stay where they are, a substep may begin with the forces that it took in the one before (carried):
+/// U is then what these leave. One comparison of velocities takes away only a part of what passes between the nodes,
+/// and a load that lasts, such as the pressure on a wall, brings it back in every substep: carried forces meet it.
+///
 /// Results are the same bits at every run; on other numbers of ranks they differ by round-off.
 class DirectForcing {
  public:
@@ -41,6 +45,12 @@ class DirectForcing {
   /// Until the group is placed anew. Collective in that all ranks call it or none.
   void set_sheets(std::span<const Vec3> normals, double viscosity, Completion complete,
                   MarkerGroup group = MarkerGroup::moving);
+  /// Lets the next substep begin with these forces (accelerations of the fluid at the markers), by the caller's index,
+  /// and every one after it with what the one before it took; until the group is placed anew. Collective in that all
+  /// ranks call it or none.
+  void carry(std::span<const Vec3> forces, MarkerGroup group);
+  /// Adds what is carried to forces[i], by the caller's index; only the components that this rank works on.
+  void add_carried(std::span<Vec3> forces, MarkerGroup group) const;
   /// New wanted velocities of the same markers, in the caller's order.
   void set_velocities(std::span<const Vec3> velocities, MarkerGroup group = MarkerGroup::moving);
 
@@ -73,6 +83,8 @@ class DirectForcing {
     explicit Set(const Grid& grid) : markers(grid) {}
     Markers markers;
     MarkerVectors wanted, found, impulse;  // impulse: mean force on the fluid over the step
+    MarkerVectors carried;
+    bool carries = false;
     Completion complete;                   // of a group with sheets
     std::vector<Vec3> normals;             // in working order
     std::vector<Vec3> along;               // force along the sheet so far in this substep
@@ -81,8 +93,10 @@ class DirectForcing {
   };
   Set& set_of(MarkerGroup group) { return sets_[static_cast<std::size_t>(group)]; }
   const Set& set_of(MarkerGroup group) const { return sets_[static_cast<std::size_t>(group)]; }
+  bool spread_carried(double weight, double dt_alpha, View<FaceX> u, View<FaceY> v, View<FaceZ> w);
   void force_once(double weight, double dt_alpha, View<FaceX> u, View<FaceY> v, View<FaceZ> w);
   void force_set(Set& set, bool is_last, double weight, double dt_alpha, View<FaceX> u, View<FaceY> v, View<FaceZ> w);
+  void begin_along(Set& set);
   void force_sheets(Set& set, double weight, double dt_alpha, View<FaceX> u, View<FaceY> v, View<FaceZ> w);
 
   Grid grid_;
