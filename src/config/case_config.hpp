@@ -369,6 +369,7 @@ struct BodyConfig {
   bool thin_sheet = true;                   ///< of an open surface: forces along it as a sheet without thickness takes
   std::optional<double> mass_per_vertex;    ///< default: from thickness and density; else 1 one-way, 0 two-way
   bool held = false;                        ///< its mean velocity is kept zero
+  bool separates = false;                   ///< an open body that moves with the flow: see the key
   bool volume_correction = true;            ///< of a closed body that moves with the flow
   double damping = 0.0;                     ///< force = -damping * velocity of the vertex
   double inner_damping = 0.0;               ///< force along an edge = -inner_damping * rate of its length

@@ -41,6 +41,8 @@ struct BodyKind {
   double convective_step = 0;  ///< what the speeds in the case let the flow take; infinite if they are 0
 
   bool is_closed() const { return displaced.volume > 0; }
+  /// Parts the box in two, by itself or with other bodies.
+  bool separates() const { return is_closed() || config.separates; }
   /// Fluid on both sides, and no thickness that the flow should feel.
   bool is_thin_sheet() const { return !is_closed() && config.thin_sheet && config.coupling != CouplingKind::one_way; }
   /// Moves together with the flow, substep by substep.

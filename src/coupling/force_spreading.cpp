@@ -37,7 +37,7 @@ Vec3 ForceSpreading::common_velocity(const VertexTransfer::Part& part, std::span
                                 : mean_of(part, velocities);
 }
 
-// An even pressure on a closed surface does no work on fluid that keeps its volume; but spread to the grid it is not
+// An even pressure on a surface that separates two parts of the box does no work on fluid that keeps its volume; but spread to the grid it is not
 // the gradient of any discrete pressure, and what is left of it drives currents around a drop at rest. So the even part
 // of the forces, by least squares with the areas as weights, stays out of the flow, and out of its pressure.
 void ForceSpreading::remove_mean_pressure(const VertexTransfer::Part& part, std::span<Vec3> forces) const {
@@ -45,11 +45,13 @@ void ForceSpreading::remove_mean_pressure(const VertexTransfer::Part& part, std:
   const auto gradient = volume_gradient(surface.mesh, surface.positions);
   double work = 0, squares = 0;
   for (std::size_t v = 0; v < forces.size(); ++v) {
+    if (surface.is_pinned(v)) continue;
     const double area = transfer_.areas()[part.begin + v];
     work += dot(forces[v], gradient[v]) / area;
     squares += dot(gradient[v], gradient[v]) / area;
   }
-  for (std::size_t v = 0; v < forces.size(); ++v) forces[v] -= (work / squares) * gradient[v];
+  for (std::size_t v = 0; v < forces.size(); ++v)
+    if (!surface.is_pinned(v)) forces[v] -= (work / squares) * gradient[v];
 }
 
 // A traction g.x along the normals is a body force g inside, but for a gradient, which the pressure takes. Spread along
@@ -129,9 +131,8 @@ void ForceSpreading::before(const Substep& substep, double dt) {
     for (std::size_t v = 0; v < part.size(); ++v)
       if (part.body->surface.is_pinned(v)) forces_[part.begin + v] = {};
   for (const auto& part : transfer_.parts()) {
-    if (!part.kind->is_closed()) continue;
-    remove_mean_pressure(part, part.of(forces_));
-    if (part.kind->config.held) add_hold(part, time, part.of(forces_));
+    if (part.kind->separates()) remove_mean_pressure(part, part.of(forces_));
+    if (part.kind->is_closed() && part.kind->config.held) add_hold(part, time, part.of(forces_));
   }
   transfer_.spread_forces(forces_);
   transfer_.fields().hand_over();
