@@ -18,8 +18,17 @@ namespace {
 /// One body or copy.
 struct Copy {
   std::size_t body, index;
+  Placement placement;
   BoundingSphere sphere;
 };
+
+// A hinged body begins at its angle.
+Placement start_placement(const BodyConfig& config, const Placement& placement) {
+  if (config.motion != MotionKind::hinge) return placement;
+  const auto& hinge = config.hinge;
+  const Mat3 turn = rotation_about(hinge.axis, hinge.angle);
+  return {hinge.point + turn * (placement.center - hinge.point), product(turn, placement.rotation)};
+}
 
 /// Bodies at their place, for a close look.
 struct Placed {
@@ -35,8 +44,10 @@ class OverlapSearch {
   OverlapSearch(const CaseConfig& config, std::span<const PlacedBody> bodies, std::size_t limit)
       : config_(config), bodies_(bodies), limit_(limit) {
     for (std::size_t b = 0; b < bodies.size(); ++b)
-      for (std::size_t i = 0; i < bodies[b].placements.size(); ++i)
-        copies_.push_back({b, i, place(bodies[b].sphere, bodies[b].placements[i])});
+      for (std::size_t i = 0; i < bodies[b].placements.size(); ++i) {
+        const auto placement = start_placement(config.bodies[b], bodies[b].placements[i]);
+        copies_.push_back({b, i, placement, place(bodies[b].sphere, placement)});
+      }
     for (int d = 0; d < 3; ++d) periodic_[d] = is_periodic(config.boundary, d);
   }
 
@@ -122,7 +133,7 @@ class OverlapSearch {
   Placed placed(std::size_t copy) const {
     const auto& c = copies_[copy];
     const PlacedBody& body = bodies_[c.body];
-    return {body.shape.mesh, place(body.shape.positions, body.placements[c.index]), 2 * c.sphere.radius};
+    return {body.shape.mesh, place(body.shape.positions, c.placement), 2 * c.sphere.radius};
   }
 
   void check_self(std::size_t b) {
