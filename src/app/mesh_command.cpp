@@ -8,12 +8,17 @@
 #include "mesh/describe.hpp"
 #include "mesh/read_surface.hpp"
 #include "mesh/shapes/box.hpp"
+#include "mesh/shapes/channel.hpp"
 #include "mesh/shapes/cylinder.hpp"
 #include "mesh/shapes/disc.hpp"
 #include "mesh/shapes/ellipsoid.hpp"
 #include "mesh/shapes/icosphere.hpp"
+#include "mesh/shapes/mechanical_leaflet.hpp"
+#include "mesh/shapes/natural_valve.hpp"
 #include "mesh/shapes/plate.hpp"
+#include "mesh/shapes/plate_with_holes.hpp"
 #include "mesh/shapes/red_cell.hpp"
+#include "mesh/shapes/ventricle.hpp"
 
 namespace pliant {
 namespace {
@@ -22,6 +27,12 @@ struct MeshArguments {
   double radius = 1.0, height = 1.0, edge = 0.1;
   std::vector<double> semi_axes{1, 1, 1}, plate{1, 1}, box{1, 1, 1};
   std::string ends = "capped";
+  double apex_edge = 0, hole_edge = 0;
+  std::vector<std::array<double, 3>> holes;
+  MechanicalLeafletSizes mechanical;
+  double angle = 0;
+  NaturalValveSizes natural;
+  std::string leaflet = "both";
   std::string input, output;
 };
 
@@ -29,6 +40,22 @@ void write_and_tell(const std::string& path, const Surface& surface) {
   write_surface(path, surface);
   fmt::print("{}: {} vertices, {} edges, {} faces\n", path, surface.mesh.n_vertices(), surface.mesh.n_edges(),
              surface.mesh.n_faces());
+}
+
+MechanicalLeafletSizes mechanical_sizes(const MeshArguments& a) {
+  auto sizes = a.mechanical;
+  sizes.radius = a.radius;
+  sizes.edge = a.edge;
+  return sizes;
+}
+NaturalValveSizes natural_sizes(const MeshArguments& a) {
+  auto sizes = a.natural;
+  sizes.radius = a.radius;
+  sizes.edge = a.edge;
+  sizes.leaflet = a.leaflet == "anterior"    ? LeafletsMade::anterior
+                  : a.leaflet == "posterior" ? LeafletsMade::posterior
+                                             : LeafletsMade::both;
+  return sizes;
 }
 
 /// Meshes are small: the root does the work, and the other ranks have nothing to do.
@@ -108,6 +135,75 @@ void add_shapes(CLI::App& mesh, Action& action, const Arguments& arguments) {
   box->add_option("--size", arguments->box, "Along x, y and z")->expected(3)->capture_default_str();
   add_edge(*box, arguments);
 }
+
+void add_mechanical_options(CLI::App& shape, const Arguments& arguments) {
+  auto& sizes = arguments->mechanical;
+  shape.add_option("--hinge-offset", sizes.hinge_offset, "Of the hinge axis from the channel's, in diameters")
+      ->capture_default_str();
+  shape.add_option("--clearance", sizes.clearance, "To the channel's wall at all angles, in diameters")
+      ->capture_default_str();
+  shape
+      .add_option("--closed-angle", sizes.closed_angle,
+                  "Degrees from the annulus's plane at which it fills its half of the channel")
+      ->capture_default_str();
+}
+
+/// The parts of a heart. Options have the names of the keys of a case.
+void add_heart_shapes(CLI::App& mesh, Action& action, const Arguments& arguments) {
+  auto* channel = add_shape(mesh, action, arguments, "channel", "An open tube along z from z = 0",
+                            [](const auto& a) { return make_channel(a.radius, a.height, a.edge); });
+  channel->add_option("--height", arguments->height, "Along z")->capture_default_str();
+
+  auto* plate = add_shape(mesh, action, arguments, "plate-with-holes", "A rectangle in the x-y plane with round holes",
+                          [](const auto& a) {
+                            PlateWithHolesSizes sizes{{a.plate[0], a.plate[1]}, {}, a.edge, a.hole_edge};
+                            for (const auto& [x, y, radius] : a.holes) sizes.holes.push_back({x, y, radius});
+                            return make_plate_with_holes(sizes);
+                          });
+  plate->add_option("--size", arguments->plate, "Along x and y")->expected(2)->capture_default_str();
+  plate->add_option("--holes", arguments->holes, "X Y RADIUS, as often as there are holes");
+  plate->add_option("--hole-edge", arguments->hole_edge, "Of the edges at the holes; 0: as --edge")
+      ->capture_default_str();
+  add_edge(*plate, arguments);
+
+  auto* ventricle = add_shape(mesh, action, arguments, "ventricle",
+                              "The lower half of a spheroid, open at its rim in z = 0", [](const auto& a) {
+                                return make_ventricle({a.radius, a.height, a.edge, a.apex_edge});
+                              });
+  ventricle->add_option("--height", arguments->height, "Of the rim over the apex")->capture_default_str();
+  ventricle->add_option("--apex-edge", arguments->apex_edge, "Of the edges at the apex; 0: as --edge")
+      ->capture_default_str();
+
+  auto* leaflet =
+      add_shape(mesh, action, arguments, "mechanical-leaflet", "A leaflet in the x-y plane, its hinge the y axis",
+                [](const auto& a) { return make_mechanical_leaflet(mechanical_sizes(a)); });
+  auto* bileaflet = add_shape(mesh, action, arguments, "valve-bileaflet", "Two such leaflets about the channel's axis",
+                              [](const auto& a) { return make_bileaflet_valve(mechanical_sizes(a), a.angle); });
+  for (auto* shape : {leaflet, bileaflet}) add_mechanical_options(*shape, arguments);
+  bileaflet->add_option("--angle", arguments->angle, "Degrees of both leaflets from the annulus's plane")
+      ->capture_default_str();
+
+  auto* natural = add_shape(mesh, action, arguments, "natural-valve", "The two leaflets of a mitral valve, half open",
+                            [](const auto& a) { return make_natural_valve(natural_sizes(a)); });
+  natural->alias("valve-natural");
+  auto& sizes = arguments->natural;
+  natural->add_option("--leaflet", arguments->leaflet, "Which of them")
+      ->check(CLI::IsMember({"both", "anterior", "posterior"}))
+      ->capture_default_str();
+  natural->add_option("--opening", sizes.opening, "Between the free edges' middles along x, in diameters")
+      ->capture_default_str();
+  natural->add_option("--free-edge", sizes.free_edge, "Length of both free edges together, in diameters")
+      ->capture_default_str();
+  natural->add_option("--commissure", sizes.commissure, "How far down the leaflets part, in diameters")
+      ->capture_default_str();
+  natural->add_option("--posterior-length", sizes.posterior_length, "Of that leaflet in its middle, in diameters")
+      ->capture_default_str();
+
+  for (auto* shape : {channel, ventricle, leaflet, bileaflet, natural}) {
+    add_radius(*shape, arguments);
+    add_edge(*shape, arguments);
+  }
+}
 }  // namespace
 
 void add_mesh_command(CLI::App& app, Action& action) {
@@ -116,6 +212,7 @@ void add_mesh_command(CLI::App& app, Action& action) {
   command->require_subcommand(1);
 
   add_shapes(*command, action, arguments);
+  add_heart_shapes(*command, action, arguments);
   add_moduli_command(*command, action);
 
   auto* info = command->add_subcommand("info", "Counts, area, volume, edges, angles, and whether it is sound");

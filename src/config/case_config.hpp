@@ -152,16 +152,46 @@ struct BoxSurface {
   Vec3 size{1, 1, 1};
   double edge = 0.1;
 };
+struct ChannelSurface {
+  double radius = 1.0, height = 1.0, edge = 0.1;
+};
+struct PlateWithHolesSurface {
+  std::array<double, 2> size{1, 1};          ///< along x and y
+  std::vector<std::array<double, 3>> holes;  ///< x, y, radius
+  double edge = 0.1;
+  double hole_edge = 0;  ///< at the holes; 0: as everywhere
+};
+struct VentricleSurface {
+  double radius = 1.0, height = 1.0, edge = 0.1;
+  double apex_edge = 0;  ///< at the apex; 0: as everywhere
+};
+/// Its lengths but the radius and the edge are fractions of the channel's diameter.
+struct MechanicalLeafletSurface {
+  double radius = 1.0, edge = 0.1;
+  double hinge_offset = 0.1, clearance = 0.02;
+  double closed_angle = 25;  ///< degrees
+};
+enum class ValveLeaflet { both, anterior, posterior };
+/// Its lengths but the radius and the edge are fractions of the annulus's diameter.
+struct NaturalValveSurface {
+  double radius = 1.0, edge = 0.1;
+  double opening = 0.2, free_edge = 2.4, commissure = 0.2, posterior_length = 0.5;
+  ValveLeaflet leaflet = ValveLeaflet::both;
+};
 struct FileSurface {
   std::filesystem::path file;  ///< relative to the case's folder
   double scale = 1.0;
   bool open = false;  ///< the mesh has borders
 };
 using SurfaceSpec = std::variant<SphereSurface, EllipsoidSurface, RedCellSurface, PlateSurface, DiscSurface,
-                                 HalfDiscSurface, CylinderSurface, BoxSurface, FileSurface>;
+                                 HalfDiscSurface, CylinderSurface, BoxSurface, ChannelSurface, PlateWithHolesSurface,
+                                 VentricleSurface, MechanicalLeafletSurface, NaturalValveSurface, FileSurface>;
 
-/// Whether a surface has borders: plates, discs, half-discs, tubes, and files that are said to.
+/// Whether a surface has borders: plates, discs, half-discs, tubes, sacks, leaflets, and files that are said to.
 bool is_open_surface(const SurfaceSpec& surface);
+
+/// The selections that a shape brings along; none for a file, whose selections are known once it is read.
+std::vector<std::string> selections_of_shape(const SurfaceSpec& surface);
 
 /// Turns a surface about its origin.
 struct RotationConfig {

@@ -52,6 +52,10 @@ Words<ViscousMode> words_of<ViscousMode>() {
 }
 
 template <>
+Words<ValveLeaflet> words_of<ValveLeaflet>() {
+  return {{"both", ValveLeaflet::both}, {"anterior", ValveLeaflet::anterior}, {"posterior", ValveLeaflet::posterior}};
+}
+template <>
 Words<CylinderEnds> words_of<CylinderEnds>() {
   return {{"capped", CylinderEnds::capped}, {"open", CylinderEnds::open}};
 }

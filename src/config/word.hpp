@@ -31,6 +31,8 @@ Words<ViscousMode> words_of<ViscousMode>();
 template <>
 Words<Sweeps> words_of<Sweeps>();
 template <>
+Words<ValveLeaflet> words_of<ValveLeaflet>();
+template <>
 Words<CylinderEnds> words_of<CylinderEnds>();
 template <>
 Words<OrientationKind> words_of<OrientationKind>();

@@ -6,12 +6,17 @@
 #include "mesh/describe.hpp"
 #include "mesh/read_surface.hpp"
 #include "mesh/shapes/box.hpp"
+#include "mesh/shapes/channel.hpp"
 #include "mesh/shapes/cylinder.hpp"
 #include "mesh/shapes/disc.hpp"
 #include "mesh/shapes/ellipsoid.hpp"
 #include "mesh/shapes/icosphere.hpp"
+#include "mesh/shapes/mechanical_leaflet.hpp"
+#include "mesh/shapes/natural_valve.hpp"
 #include "mesh/shapes/plate.hpp"
+#include "mesh/shapes/plate_with_holes.hpp"
 #include "mesh/shapes/red_cell.hpp"
+#include "mesh/shapes/ventricle.hpp"
 
 namespace pliant {
 namespace {
@@ -28,6 +33,24 @@ struct ShapeMaker {
     return make_cylinder(s.radius, s.height, s.edge, s.ends == CylinderEnds::open ? Ends::open : Ends::capped);
   }
   Surface operator()(const BoxSurface& s) const { return make_box(s.size, s.edge); }
+  Surface operator()(const ChannelSurface& s) const { return make_channel(s.radius, s.height, s.edge); }
+  Surface operator()(const PlateWithHolesSurface& s) const {
+    PlateWithHolesSizes sizes{s.size, {}, s.edge, s.hole_edge};
+    for (const auto& [x, y, radius] : s.holes) sizes.holes.push_back({x, y, radius});
+    return make_plate_with_holes(sizes);
+  }
+  Surface operator()(const VentricleSurface& s) const {
+    return make_ventricle({s.radius, s.height, s.edge, s.apex_edge});
+  }
+  Surface operator()(const MechanicalLeafletSurface& s) const {
+    return make_mechanical_leaflet({s.radius, s.hinge_offset, s.clearance, s.closed_angle, s.edge});
+  }
+  Surface operator()(const NaturalValveSurface& s) const {
+    const auto leaflets = s.leaflet == ValveLeaflet::both       ? LeafletsMade::both
+                          : s.leaflet == ValveLeaflet::anterior ? LeafletsMade::anterior
+                                                                : LeafletsMade::posterior;
+    return make_natural_valve({s.radius, s.opening, s.free_edge, s.commissure, s.posterior_length, s.edge, leaflets});
+  }
   Surface operator()(const FileSurface& s) const {
     const auto path = folder / s.file;
     Surface surface = read_surface(path, s.open ? Closure::open : Closure::closed);

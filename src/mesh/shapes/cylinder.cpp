@@ -13,10 +13,7 @@ constexpr double pi = std::numbers::pi;
 /// m vertices of a circle at height z, turned by `shift` steps; the first one is repeated at the end.
 std::vector<int> add_circle(ShapeParts& parts, int m, double radius, double z, double shift) {
   std::vector<int> ring;
-  for (int j = 0; j < m; ++j) {
-    const double angle = 2 * pi * (j + shift) / m;
-    ring.push_back(parts.add_vertex({radius * std::cos(angle), radius * std::sin(angle), z}));
-  }
+  for (int j = 0; j < m; ++j) ring.push_back(parts.add_vertex(circle_vertex(radius, m, j + shift, z)));
   ring.push_back(ring.front());
   return ring;
 }

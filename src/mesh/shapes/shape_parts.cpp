@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/error.hpp"
 
@@ -33,8 +34,20 @@ Surface finish_shape(const ShapeParts& parts) {
       v = number[v];
     }
   const int n_vertices = static_cast<int>(positions.size());
-  return {TriangleMesh(n_vertices, std::move(faces)), std::move(positions)};
+  auto selections = parts.selections;
+  for (auto& selection : selections) {
+    for (int& v : selection.vertices) v = number[v];
+    std::sort(selection.vertices.begin(), selection.vertices.end());
+  }
+  return {TriangleMesh(n_vertices, std::move(faces)), std::move(positions), std::move(selections)};
 }
+
+Vec3 circle_vertex(double radius, int m, double j, double z) {
+  const double angle = 2 * std::numbers::pi * j / m;
+  return {radius * std::cos(angle), radius * std::sin(angle), z};
+}
+
+int parts_of_circle(double radius, double edge) { return 6 * parts_of(radius, edge); }
 
 int parts_of(double length, double edge) { return std::max(1, static_cast<int>(std::lround(length / edge))); }
 

@@ -11,6 +11,7 @@ namespace pliant {
 struct ShapeParts {
   std::vector<Vec3> positions;
   std::vector<Face> faces;
+  std::vector<NamedVertices> selections;
 
   int add_vertex(Vec3 x) {
     positions.push_back(x);
@@ -22,6 +23,14 @@ struct ShapeParts {
 /// ring that is closed repeats its first vertex at the end; ring 0 is the centre alone. Every sector of ring k is cut
 /// into k parts.
 void add_ring_faces(const std::vector<std::vector<int>>& rings, int sectors, std::vector<Face>& faces);
+
+/// Vertex j of the m that are spread evenly over a circle in the x-y plane, from the x axis on; j may be a fraction.
+/// All shapes with round borders take theirs from here, so that borders of one radius and edge are the same bit for
+/// bit.
+Vec3 circle_vertex(double radius, int m, double j, double z = 0);
+
+/// Into how many parts of about `edge` a circle is cut: a multiple of six.
+int parts_of_circle(double radius, double edge);
 
 /// The surface, its vertices numbered by their first appearance along the faces.
 Surface finish_shape(const ShapeParts& parts);
