@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/command.hpp"
+#include "app/dimensionless.hpp"
 #include "app/load_case.hpp"
 #include "app/memory_estimate.hpp"
 #include "config/print_case.hpp"
@@ -185,9 +186,12 @@ int check(const CheckArguments& arguments, const Communicator& communicator) {
   fmt::print("{}\n# --- The case is sound.\n", to_toml(config));
   print_memory(config, bodies, ranks);
   print_patches(config, grid);
+  for (const auto& line : describe_signals(config)) fmt::print("# {}\n", line);
   print_sweeps(config, grid, ranks);
   print_steps(config, grid, bodies);
   const double step = limits_at_start(config, grid, bodies).smallest();
+  for (const auto& line : dimensionless_groups(config, grid, bodies.kinds)) fmt::print("# {}\n", line);
+  for (const auto& line : physical_sizes(config, grid, step)) fmt::print("# {}\n", line);
   for (std::size_t k = 0; k < bodies.kinds.size(); ++k) {
     fmt::print("# {}\n", describe(bodies.kinds[k], bodies.copies[k]));
     for (const auto& warning : foresee(bodies.kinds[k], grid, step)) fmt::print("# warning: {}\n", warning);

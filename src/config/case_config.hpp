@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "config/dimension.hpp"
 #include "core/vec3.hpp"
 
 /// What a case file says, as plain structs whose member initialisers are the documented defaults.
@@ -21,7 +22,15 @@ struct SignalConfig {
   std::filesystem::path csv;                 ///< the same as a file; relative to the case's folder
   std::string formula;                       ///< of t
   std::optional<double> period;
-  double scale = 1.0;  ///< factor on the value
+  double scale = 1.0;            ///< factor on the value
+  bool balance = false;          ///< the negative part is scaled so that the mean over the period is zero
+  std::optional<double> volume;  ///< what the positive part is scaled to carry in a period
+  /// Units of the table, file or formula; empty: the case's own.
+  struct Units {
+    std::string t, v;
+  } units;
+  double time_unit = 1, value_unit = 1;  ///< what these are in the case's own units
+  std::optional<Dimension> dimension;    ///< of the values, where a unit tells it
 };
 
 enum class PatchShape { disc, annulus, rectangle, outside };
@@ -454,8 +463,14 @@ struct CheckpointConfig {
   int keep = 2;                   ///< the newest that stay; 0: none are written
 };
 
+/// Quantities that are 1 in the case's own units, as texts such as "25 mm": length, density, and velocity or time.
+struct UnitsConfig {
+  std::string length, velocity, time, density;
+};
+
 struct CaseConfig {
   std::string title = "untitled";
+  std::optional<UnitsConfig> units;
   std::filesystem::path folder;  ///< of the case file; relative paths start here
   std::filesystem::path file;
   std::map<std::string, std::string> origins;  ///< key path to where it was set: "case.toml:12" or "--set ..."

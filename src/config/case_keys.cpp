@@ -1,5 +1,6 @@
 #include "config/key_table.hpp"
 #include "config/motion_keys.hpp"
+#include "config/quantity.hpp"
 
 namespace pliant {
 namespace {
@@ -103,6 +104,44 @@ std::string flow_condition(const std::vector<InitialFlow>& flows) {
 
 CaseKey for_flows(CaseKey key, const std::vector<InitialFlow>& flows) {
   return only_when<CaseConfig>(std::move(key), flow_condition(flows), flow_is(flows));
+}
+
+CaseKey scale_key(const std::string& name, const std::string& doc, Dimension dimension,
+                  std::string UnitsConfig::*text) {
+  auto key = make_key<CaseConfig>({"units." + name, "", doc}, [text](auto& c) {
+    auto* units = member(c.units);
+    return units ? &(units->*text) : nullptr;
+  });
+  key.type = "number with unit";
+  key.legal = "> 0 " + si_unit(dimension);
+  key.default_value = Json();
+  key.set = [dimension, text](CaseConfig& config, const Json& value) -> std::optional<std::string> {
+    if (!value.is_string()) return "must be a text, a number with its unit, not " + describe_value(value);
+    const auto& given = value.get_ref<const std::string&>();
+    std::string problem;
+    const auto quantity = read_quantity(given, problem);
+    if (!quantity) return "is \"" + given + "\": " + problem;
+    if (quantity->dimension != dimension)
+      return "is \"" + given + "\", " + describe(quantity->dimension) + ", but must be " + describe(dimension) +
+             " (in SI: " + si_unit(dimension) + ")";
+    if (!(quantity->value > 0)) return "must be > 0, not \"" + given + "\"";
+    member(config.units)->*text = given;
+    return std::nullopt;
+  };
+  key.get = [text](const CaseConfig& config) -> Json {
+    return config.units && !((*config.units).*text).empty() ? Json((*config.units).*text) : Json();
+  };
+  return key;
+}
+
+void add_units(std::vector<CaseKey>& keys) {
+  keys.push_back(required(scale_key("length", "the length that is 1 in the case's own units, such as \"25 mm\"",
+                                    {1, 0, 0}, &UnitsConfig::length)));
+  keys.push_back(scale_key("velocity", "the velocity that is 1, or time", {1, -1, 0}, &UnitsConfig::velocity));
+  keys.push_back(
+      instead_of(scale_key("time", "the time that is 1", {0, 1, 0}, &UnitsConfig::time), {"units.velocity"}));
+  keys.push_back(required(
+      scale_key("density", "the density that is 1, as a rule that of the fluid", {-3, 0, 1}, &UnitsConfig::density)));
 }
 
 void add_box(std::vector<CaseKey>& keys) {
@@ -280,6 +319,7 @@ std::string boundary_word(const BoundarySpec& spec) {
 std::vector<Key<CaseConfig>> case_keys() {
   std::vector<CaseKey> keys;
   keys.push_back(make_key<CaseConfig>({"title", "", "one line that names the case"}, [](auto& c) { return &c.title; }));
+  add_units(keys);
   add_box(keys);
   add_fluid(keys);
   add_boundary(keys);

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "config/dimension.hpp"
 #include "config/value_codec.hpp"
 
 namespace pliant {
@@ -15,7 +16,7 @@ enum class Presence { optional, required };
 template <class Config>
 struct Key {
   std::string path;    ///< within `Config`, dotted: "box.size"
-  std::string unit;    ///< physical dimension for the docs; empty for pure numbers and words
+  std::string unit;    ///< physical dimension, as parse_key_unit() reads it; empty for pure numbers and words
   std::string doc;     ///< one line
   std::string type;    ///< for people: "number", "3 integers", ...
   std::string legal;   ///< for people: "> 0", a list of words, ...
@@ -29,6 +30,9 @@ struct Key {
   std::function<Json(const Config&)> get = {};
   /// Whether the key means anything in this config; asked after all keys are set. Empty: always.
   std::function<bool(const Config&)> applies = {};
+
+  /// What a text with a unit is turned into; nothing where it makes no sense.
+  std::optional<KeyUnit> quantity() const { return parse_key_unit(unit); }
 };
 
 /// The content of an optional group: made on the spot for a mutable config, null when absent in a constant one.

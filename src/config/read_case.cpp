@@ -6,6 +6,7 @@
 #include <set>
 
 #include "config/case_document.hpp"
+#include "config/quantity.hpp"
 #include "config/validate.hpp"
 #include "core/error.hpp"
 
@@ -22,6 +23,7 @@ class Reader {
     config.file = document_.file;
     config.folder = document_.file.has_parent_path() ? document_.file.parent_path() : ".";
     origins_ = &config.origins;
+    read_scales();
     apply(case_keys(), document_.root, config);
     read_signals(config);
     read_patches(config);
@@ -42,11 +44,30 @@ class Reader {
   const std::set<std::string>& suspect() const { return suspect_; }
 
  private:
+  // Before all else: other keys are turned into the case's own units as they are read.
+  void read_scales() {
+    CaseConfig scratch;
+    for (const auto& key : case_keys())
+      if (const auto* entry = document_.root.find(key.path); entry && key.path.rfind("units.", 0) == 0) {
+        key.set(scratch, entry->value);
+        if (key.path != "units.length") has_time_scale_ |= key.path != "units.density";
+      }
+    if (scratch.units) scales_ = scales_of(*scratch.units);
+    has_units_ = document_.root.sections.count("units") > 0;
+    if (has_units_ && !has_time_scale_)
+      complain(document_.root, "units.velocity", document_.file.string(),
+               "is missing: the velocity that is 1 in the case's own units, or units.time instead");
+  }
+
   void read_signals(CaseConfig& config) {
-    for (const auto& [name, scope] : document_.signals) {
+    for (const auto& [name, given] : document_.signals) {
       const auto key = "signals." + name;
-      config.origins.emplace(key, scope.origin);
-      apply(signal_keys(), scope, config.signals[name]);
+      config.origins.emplace(key, given.origin);
+      auto& signal = config.signals[name];
+      auto scope = given;
+      read_scale(scope, signal);
+      apply(signal_keys(), scope, signal);
+      read_signal_units(scope, signal);
       if (!scope.find("table") && !scope.find("csv") && !scope.find("formula")) {
         suspect_.insert(key);
         problems_.push_back(
@@ -54,6 +75,68 @@ class Reader {
                         scope.origin, key));
       }
     }
+  }
+
+  // Any unit will do, and tells what the signal is.
+  void read_scale(Scope& scope, SignalConfig& signal) {
+    for (auto& entry : scope.entries) {
+      if (entry.path != "scale" || !entry.value.is_string()) continue;
+      std::string what;
+      const auto text = entry.value.get<std::string>();
+      const auto quantity = read_quantity(text, what);
+      std::optional<std::string> problem;
+      if (!quantity) problem = fmt::format("is \"{}\": {}", text, what);
+      else if (const auto* unit = scope.find("unit.v"))
+        problem =
+            fmt::format("is \"{}\", and unit.v ({}) gives the values a unit too; give one of them", text, unit->origin);
+      else entry.value = to_own_units(entry.value, {.dimension = quantity->dimension}, scales(), problem);
+      if (problem) {
+        if (!is_excused(problem)) complain(scope, "scale", entry.origin, *problem);
+        entry.value = 1;
+      } else {
+        signal.dimension = quantity->dimension;
+      }
+    }
+  }
+
+  void read_signal_units(const Scope& scope, SignalConfig& signal) {
+    const auto factor = [&](const char* path, std::optional<Dimension> wanted) -> std::optional<Quantity> {
+      const auto* entry = scope.find(path);
+      if (!entry || suspect_.count(scope.prefix + path) > 0) return std::nullopt;
+      const auto text = entry->value.get<std::string>();
+      std::string what;
+      const auto unit = read_unit(text, what);
+      std::optional<std::string> problem;
+      if (!unit) problem = "is not understood: " + what;
+      else if (wanted && unit->dimension != *wanted)
+        problem = fmt::format("is \"{}\", {}, but must be {}", text, describe(unit->dimension), describe(*wanted));
+      else if (!scales_ && unit->dimension != Dimension{})
+        problem = fmt::format("is \"{}\", {}", text, how_to_give_scales());
+      if (!problem) return unit;
+      if (!is_excused(problem)) complain(scope, path, entry->origin, *problem);
+      return std::nullopt;
+    };
+    const UnitScales scales = scales_.value_or(UnitScales{});
+    if (const auto t = factor("unit.t", Dimension{0, 1, 0}))
+      signal.time_unit = in_own_units(*t, {t->dimension}, scales);
+    if (const auto v = factor("unit.v", std::nullopt)) {
+      signal.value_unit = in_own_units(*v, {v->dimension}, scales);
+      signal.dimension = v->dimension;
+    }
+    constexpr Dimension flow_rate{3, -1, 0};
+    const auto* volume = scope.find("volume");
+    if (signal.volume && signal.dimension.value_or(flow_rate) != flow_rate)
+      complain(scope, "volume", volume->origin,
+               fmt::format("is what a flow rate carries, but the unit of the values makes them {}",
+                           describe(*signal.dimension)));
+    else if (signal.volume) signal.dimension = flow_rate;
+  }
+
+  const UnitScales* scales() const { return scales_ ? &*scales_ : nullptr; }
+
+  // Scales that are there, but wrong, are complained about already.
+  bool is_excused(const std::optional<std::string>& problem) const {
+    return has_units_ && !scales_ && problem->find(how_to_give_scales()) != std::string::npos;
   }
 
   void read_patches(CaseConfig& config) {
@@ -100,12 +183,27 @@ class Reader {
       const auto* entry = scope.find(key.path);
       if (!entry) continue;
       origins_->emplace(scope.prefix + key.path, entry->origin);
-      if (auto problem = key.set(config, entry->value)) complain(scope, key.path, entry->origin, *problem);
+      std::optional<std::string> problem;
+      const auto value = with_own_units(key, entry->value, problem);
+      if (!problem) problem = key.set(config, value);
+      if (problem && !is_excused(problem)) complain(scope, key.path, entry->origin, *problem);
+      else if (problem) suspect_.insert(scope.prefix + key.path);
     }
     for (const auto& key : keys) {
       check_meaning(key, keys, scope, config);
       check_presence(key, scope);
     }
+  }
+
+  // Where a formula may stand, a quantity is one that is constant.
+  template <class Config>
+  Json with_own_units(const Key<Config>& key, const Json& value, std::optional<std::string>& problem) const {
+    const auto unit = key.quantity();
+    if (!unit) return value;
+    if (key.type != ValueCodec<std::string>::type_name()) return to_own_units(value, *unit, scales(), problem);
+    if (!value.is_string() || !looks_like_quantity(value.get_ref<const std::string&>())) return value;
+    const Json number = to_own_units(value, *unit, scales(), problem);
+    return problem ? value : Json(fmt::format("{}", number.get<double>()));
   }
 
   template <class Config>
@@ -140,6 +238,8 @@ class Reader {
   std::vector<std::string> problems_;
   std::set<std::string> suspect_;
   std::map<std::string, std::string>* origins_ = nullptr;
+  std::optional<UnitScales> scales_;
+  bool has_units_ = false, has_time_scale_ = false;
 };
 }  // namespace
 

@@ -36,9 +36,10 @@ std::string case_reference() {
   std::string text =
       "# The case file: every key\n\n"
       "Written by `pliant reference` from the table that the reader uses; do not edit by hand.\n\n"
-      "A case is a TOML file. Unknown keys are errors. Integers are accepted where numbers are asked. Units are any\n"
-      "consistent set; the unit column gives the dimension. On the command line `--set key.path=value` overrides a "
-      "key;\n"
+      "A case is a TOML file. Unknown keys are errors. Integers are accepted where numbers are asked. Numbers are in\n"
+      "any consistent set of units; with [units] a text such as \"25 mm\" may stand for any number whose unit column "
+      "gives "
+      "a dimension\n([units.md](units.md)). On the command line `--set key.path=value` overrides a key;\n"
       "bodies go by name: `--set body.drop.potentials.edge.stiffness=300`.\n";
   std::string section;
   for (const auto& key : case_keys()) {

@@ -324,8 +324,9 @@ void add_surface_keys(std::vector<Key<BodyConfig>>& keys) {
   keys.push_back(holes_key());
   add_heart_keys(keys);
   keys.push_back(file_key());
-  auto scale =
-      make_key<BodyConfig>({"surface.scale", "", "factor on the coordinates in the file"}, scale_of, positive());
+  auto scale = make_key<BodyConfig>(
+      {"surface.scale", "length", "factor on the coordinates in the file: what is 1 there, such as \"1 mm\""}, scale_of,
+      positive());
   scale.default_value = FileSurface{}.scale;
   keys.push_back(only_when<BodyConfig>(std::move(scale), "surface.file is given", is_file));
   keys.push_back(open_key());

@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "config/print_case.hpp"
+#include "config/quantity.hpp"
 #include "core/version.hpp"
 #include "io/atomic_file.hpp"
 
@@ -47,6 +48,14 @@ RunReport::RunReport(std::filesystem::path path, const CaseConfig& config, const
                          {"flags", build.flags},     {"mpi", mpi_version()},   {"hdf5", hdf5_version()}};
   content_["case_file"] = config.file.string();
   content_["seconds_by_phase"] = Json::object();
+  if (const auto scales = config.units ? scales_of(*config.units) : std::nullopt) {
+    auto& own = content_["own_units_in_si"];
+    for (const char* name : {"length", "time", "mass", "velocity", "force", "pressure", "energy", "area", "volume"})
+      own[name] = scales->of(parse_key_unit(name)->dimension);
+    own["density"] = scales->of({-3, 0, 1});
+    own["flow_rate"] = scales->of({3, -1, 0});
+    own["viscosity"] = scales->of({-1, -1, 1});
+  }
   content_["case"] = resolved_case(config);
 }
 

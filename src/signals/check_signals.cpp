@@ -21,14 +21,15 @@ class SignalValidator {
     for (int side = 0; side < 6; ++side) {
       const auto& spec = config_.boundary[static_cast<std::size_t>(side)];
       if (const auto* inflow = std::get_if<InflowSide>(&spec); inflow != nullptr && !inflow->signal.empty())
-        check_use("boundary." + side_names()[static_cast<std::size_t>(side)] + ".signal", inflow->signal);
+        check_use("boundary." + side_names()[static_cast<std::size_t>(side)] + ".signal", inflow->signal, {});
       const auto* patches = patches_of(spec);
       if (patches == nullptr) continue;
       for (const auto& patch : *patches)
         if (!patch.balance && !patch.flow_rate.empty()) check_patch(patch_key(side, patch), patch);
     }
     for (const auto& body : config_.bodies)
-      if (body.motion == MotionKind::prescribed && !body.name.empty()) check_path("body." + body.name + ".path.", body.path);
+      if (body.motion == MotionKind::prescribed && !body.name.empty())
+        check_path("body." + body.name + ".path.", body.path);
   }
 
  private:
@@ -59,7 +60,7 @@ class SignalValidator {
   }
 
   void check_patch(const std::string& key, const PatchConfig& patch) {
-    const auto signal = check_use(key + ".flow_rate", patch.flow_rate);
+    const auto signal = check_use(key + ".flow_rate", patch.flow_rate, {3, -1, 0});
     if (signal && patch.phase && !signal->period())
       complain(key + ".phase", fmt::format("is part of a period, but the flow rate \"{}\" has none; name a signal with "
                                            "the key period",
@@ -70,11 +71,18 @@ class SignalValidator {
     const std::pair<const char*, const std::string*> functions[] = {
         {"x", &path.x}, {"y", &path.y}, {"z", &path.z}, {"angle", &path.angle}};
     for (const auto& [name, text] : functions)
-      if (!text->empty()) check_use(prefix + name, *text);
+      if (!text->empty())
+        check_use(prefix + name, *text, std::string_view(name) == "angle" ? Dimension{} : Dimension{1, 0, 0});
   }
 
-  std::optional<Signal> check_use(const std::string& key, const std::string& text) {
+  std::optional<Signal> check_use(const std::string& key, const std::string& text, Dimension wanted) {
     if (!trusted(key)) return std::nullopt;
+    const auto named = config_.signals.find(text);
+    if (named != config_.signals.end() && named->second.dimension && *named->second.dimension != wanted) {
+      complain(key, fmt::format("is the signal \"{}\", whose unit makes it {}, but must be {}", text,
+                                describe(*named->second.dimension), describe(wanted)));
+      return std::nullopt;
+    }
     // Already complained about where it is written.
     if (config_.signals.count(text) > 0 && sound_.count(text) == 0) return std::nullopt;
     try {

@@ -13,15 +13,16 @@ namespace pliant {
 
 struct Formula::Parsed {
   std::mutex mutex;  // an evaluation goes through the variable
-  double t = 0;
+  double t = 0, phase = 0;
   mu::Parser parser;
 };
 
-Formula::Formula(const std::string& text) : parsed_(std::make_shared<Parsed>()) {
+Formula::Formula(const std::string& text, Variables variables) : parsed_(std::make_shared<Parsed>()) {
   try {
     auto& parser = parsed_->parser;
     parser.DefineConst("pi", std::numbers::pi);
     parser.DefineVar("t", &parsed_->t);
+    if (variables == Variables::t_and_phase) parser.DefineVar("phase", &parsed_->phase);
     parser.SetExpr(text);
     int results = 0;
     constexpr double probe = 0.5;
@@ -40,9 +41,10 @@ Formula::Formula(const std::string& text) : parsed_(std::make_shared<Parsed>()) 
   }
 }
 
-double Formula::value(double t) const {
+double Formula::value(double t, double phase) const {
   const std::lock_guard lock(parsed_->mutex);
   parsed_->t = t;
+  parsed_->phase = phase;
   return parsed_->parser.Eval();
 }
 

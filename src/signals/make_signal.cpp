@@ -7,6 +7,7 @@
 
 #include "config/validate.hpp"
 #include "core/error.hpp"
+#include "signals/balance.hpp"
 #include "signals/formula.hpp"
 #include "signals/pchip.hpp"
 #include "signals/read_table.hpp"
@@ -36,15 +37,44 @@ void check_period(const Table& table, double period, const PlaceOf& place, std::
 
 Signal make_table_signal(const SignalConfig& config, const Table& table) {
   const auto curve = std::make_shared<const Pchip>(table, config.period);
-  return Signal([curve, scale = config.scale](double t) { return scale * curve->value(t); }, config.period);
+  const double scale = config.scale * config.value_unit;
+  return Signal([curve, scale](double t) { return scale * curve->value(t); }, config.period);
 }
 
 Signal make_formula_signal(const SignalConfig& config) {
-  const Formula formula(config.formula);
-  const double scale = config.scale;
-  if (!config.period) return Signal([formula, scale](double t) { return scale * formula.value(t); });
-  return Signal([formula, scale, period = *config.period](double t) { return scale * formula.value(wrap(t, period)); },
-                config.period);
+  const Formula formula(config.formula, config.period ? Formula::Variables::t_and_phase : Formula::Variables::t);
+  const double scale = config.scale * config.value_unit, unit = config.time_unit;
+  if (!config.period) return Signal([formula, scale, unit](double t) { return scale * formula.value(t / unit); });
+  return Signal(
+      [formula, scale, unit, period = *config.period](double t) {
+        const double now = wrap(t, period);
+        return scale * formula.value(now / unit, now / period);
+      },
+      config.period);
+}
+
+/// Brings the parts above and below zero to the sizes that are asked for.
+Signal adjust(const SignalConfig& config, const Signal& signal, const PlaceOf& place,
+              std::vector<std::string>& problems) {
+  for (const auto& [key, is_given] : {std::pair{"balance", config.balance}, {"volume", config.volume.has_value()}})
+    if (is_given && !config.period)
+      problems.push_back(
+          fmt::format("{} speaks of a period, but the signal has none; give it the key period", place(key)));
+  if ((!config.balance && !config.volume) || !config.period) return signal;
+  const auto [positive, negative] = parts_of_period(signal);
+  if (config.volume && !(positive > 0))
+    problems.push_back(fmt::format("{} is to be carried by positive values, but the signal has none", place("volume")));
+  if (config.balance && !(positive > 0 && negative > 0))
+    problems.push_back(fmt::format("{} scales negative values against positive ones, but the signal has no {} ones",
+                                   place("balance"), positive > 0 ? "negative" : "positive"));
+  const double up = config.volume ? *config.volume / positive : 1;
+  const double down = config.balance ? up * positive / negative : up;
+  return Signal(
+      [signal, up, down](double t) {
+        const double value = signal.value(t);
+        return (value > 0 ? up : down) * value;
+      },
+      config.period);
 }
 
 Signal make_signal_at(const SignalConfig& config, const std::filesystem::path& folder, const PlaceOf& place) {
@@ -54,9 +84,10 @@ Signal make_signal_at(const SignalConfig& config, const std::filesystem::path& f
     if (!config.formula.empty()) {
       signal = make_formula_signal(config);
     } else {
-      const Table table = config.csv.empty() ? config.table : read_table(folder / config.csv);
+      Table table = config.csv.empty() ? config.table : read_table(folder / config.csv);
       if (table.empty()) problems.push_back(place("table") + " is empty; give it pairs [[t, v], ...]");
       check_times(table, place, problems);
+      for (auto& point : table) point[0] *= config.time_unit;
       if (problems.empty() && config.period) check_period(table, *config.period, place, problems);
       if (problems.empty()) signal = make_table_signal(config, table);
     }
@@ -68,6 +99,7 @@ Signal make_signal_at(const SignalConfig& config, const std::filesystem::path& f
     if (const auto time = first_not_finite(*signal, *config.period))
       problems.push_back(fmt::format("{} has no finite value at t = {:.6g}", place("formula"), *time));
   }
+  if (signal && problems.empty()) signal = adjust(config, *signal, place, problems);
   if (!problems.empty()) throw InputError(std::move(problems));
   return *signal;
 }

@@ -4,6 +4,7 @@
 
 #include "mpi/coupling/small_cases.hpp"
 #include "mpi/io/shared_folder.hpp"
+#include "simulation/surface_batch.hpp"
 #include "structure/schedule_of_body.hpp"
 
 // Bodies that come and go by a schedule. Steps are 0.02 long.
@@ -152,7 +153,7 @@ TEST(BodySchedule, OfAFixedBodyTakesEnergyOnlyAndTheMostAsItComes) {
 TEST(BodySchedule, IsInTheBodysTable) {
   const SharedFolder owner;
   const Communicator world;
-  auto config = with(disturbed(), {told({1, 1, 1.1})}, {0.2, {0.3, 0.6}});
+  auto config = with(disturbed(), {told({1, 1, 0.7})}, {0.2, {0.3, 0.6}});
   config.output.history.every = 1;
   run(config, world, owner.path());
   if (!world.is_root()) return;
@@ -178,11 +179,35 @@ TEST(BodySchedule, IsInTheBodysTable) {
     const bool is_there = n >= 4 && n <= 6;
     EXPECT_EQ(std::stod(row[at("on")]), is_there ? 1 : 0) << "step " << n;
     EXPECT_EQ(std::stod(row[at("force_x")]) != 0, is_there) << "step " << n;
+    EXPECT_TRUE(std::isfinite(std::stod(row[at("probe_force_x")])));
     EXPECT_EQ(std::stod(row[at("probe_force_x")]) != 0, is_there) << "step " << n;
     EXPECT_EQ(std::stod(row[at("slip_rms")]) != 0, is_there) << "step " << n;
     EXPECT_EQ(std::stod(row[at("x")]) != 1, n > 0) << "it goes its way all the same";
   }
   EXPECT_EQ(n, 13);
+}
+
+TEST(BodySchedule, IsInTheSurfaceFiles) {
+  const SharedFolder owner;
+  for (const long steps : {5, 12}) {  // there, and away
+    Simulation simulation(with(until(disturbed(), steps), {told({1, 1, 0.7})}, {0.2, {0.3, 0.6}}), Communicator(),
+                          silent(owner.path() / std::to_string(steps)));
+    simulation.run();
+    const bool is_there = steps == 5;
+    const auto batch = surface_batch(simulation.bodies(), 0);
+    long n = 0;
+    for (const auto& set : batch.sets)
+      for (const double value : set.values) {
+        const bool is_stress = set.name == "pressure" || set.name == "shear";
+        EXPECT_EQ(std::isfinite(value), is_there || !is_stress) << set.name;
+        if (set.name == "on") {
+          EXPECT_EQ(value, is_there ? 1 : 0);
+          ++n;
+        }
+        if (set.name == "force" && !is_there) { EXPECT_EQ(value, 0); }
+      }
+    EXPECT_EQ(simulation.bodies().grid().ranks().sum(n), 80) << "faces";
+  }
 }
 
 TEST(BodySchedule, OfABodyThatOthersWouldTouchIsNoObstacleWhileItIsAway) {

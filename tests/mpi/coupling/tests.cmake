@@ -16,3 +16,4 @@ pliant_test(deformable_contact_test SOURCES ${CMAKE_CURRENT_LIST_DIR}/deformable
 pliant_test(coupling_interface_test SOURCES ${CMAKE_CURRENT_LIST_DIR}/interface_test.cpp LIBS pliant_simulation RANKS 1 3)
 target_include_directories(coupling_interface_test PRIVATE ${CMAKE_SOURCE_DIR}/tests)
 pliant_test(coupling_schedule_test SOURCES ${CMAKE_CURRENT_LIST_DIR}/schedule_test.cpp LIBS pliant_simulation RANKS 1 3)
+pliant_test(coupling_scales_test SOURCES ${CMAKE_CURRENT_LIST_DIR}/scales_test.cpp LIBS pliant_simulation RANKS 1 2)
