@@ -37,23 +37,6 @@ Vec3 ForceSpreading::common_velocity(const VertexTransfer::Part& part, std::span
                                 : mean_of(part, velocities);
 }
 
-// An even pressure on a surface that separates two parts of the box does no work on fluid that keeps its volume; but spread to the grid it is not
-// the gradient of any discrete pressure, and what is left of it drives currents around a drop at rest. So the even part
-// of the forces, by least squares with the areas as weights, stays out of the flow, and out of its pressure.
-void ForceSpreading::remove_mean_pressure(const VertexTransfer::Part& part, std::span<Vec3> forces) const {
-  const auto& surface = part.body->surface;
-  const auto gradient = volume_gradient(surface.mesh, surface.positions);
-  double work = 0, squares = 0;
-  for (std::size_t v = 0; v < forces.size(); ++v) {
-    if (surface.is_pinned(v)) continue;
-    const double area = transfer_.areas()[part.begin + v];
-    work += dot(forces[v], gradient[v]) / area;
-    squares += dot(gradient[v], gradient[v]) / area;
-  }
-  for (std::size_t v = 0; v < forces.size(); ++v)
-    if (!surface.is_pinned(v)) forces[v] -= (work / squares) * gradient[v];
-}
-
 // A traction g.x along the normals is a body force g inside, but for a gradient, which the pressure takes. Spread along
 // the surface, as a shift of all vertices is, it would drive a liquid interface around the body. g follows the velocity
 // c that the centroid is left with: a part that lasts, and one against c that takes away most of it within the substep.

@@ -41,7 +41,6 @@ class ForceSpreading : public SoftBodies {
   void keep_apart(const VertexTransfer::Part& part, double time);
   /// Of the enclosed volume's centroid, or the mean over an open surface.
   Vec3 common_velocity(const VertexTransfer::Part& part, std::span<const Vec3> velocities) const;
-  void remove_mean_pressure(const VertexTransfer::Part& part, std::span<Vec3> forces) const;
   /// The force that holds a closed body, from what it remembers, and what it is to remember.
   void add_hold(const VertexTransfer::Part& part, double time, std::span<Vec3> forces) const;
   void adjust_hold(const VertexTransfer::Part& part, double dt, Vec3 left) const;

@@ -32,6 +32,7 @@ void LocalMass::advance(const VertexTransfer::Part& part, double alpha, double d
   const auto mobilities = contact != nullptr ? mobilities_of(surface, masses_, step) : std::vector<double>{};
   for (int n = 0; n < substeps; ++n) {
     find_nodal_forces(*part.body, *part.kind, shape_of(part), gravity_, density_, forces_);
+    if (part.kind->config.separates) remove_mean_pressure(part, forces_);
     for (std::size_t v = 0; v < n_vertices; ++v) {
       if (surface.is_pinned(v)) continue;
       surface.velocities[v] += (step / masses_[v]) * forces_[v];

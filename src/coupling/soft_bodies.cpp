@@ -63,6 +63,23 @@ void SoftBodies::begin_step() {
   for (const auto& part : transfer_.parts()) part.body->loads.reaction = part.body->loads.balance = {};
 }
 
+// An even pressure on a surface that separates two parts of the box does no work on fluid that keeps its volume; but spread to the grid it is not
+// the gradient of any discrete pressure, and what is left of it drives currents around a drop at rest. So the even part
+// of the forces, by least squares with the areas as weights, stays out of the flow, and out of its pressure.
+void SoftBodies::remove_mean_pressure(const VertexTransfer::Part& part, std::span<Vec3> forces) const {
+  const auto& surface = part.body->surface;
+  const auto gradient = volume_gradient(surface.mesh, surface.positions);
+  double work = 0, squares = 0;
+  for (std::size_t v = 0; v < forces.size(); ++v) {
+    if (surface.is_pinned(v)) continue;
+    const double area = transfer_.areas()[part.begin + v];
+    work += dot(forces[v], gradient[v]) / area;
+    squares += dot(gradient[v], gradient[v]) / area;
+  }
+  for (std::size_t v = 0; v < forces.size(); ++v)
+    if (!surface.is_pinned(v)) forces[v] -= (work / squares) * gradient[v];
+}
+
 void SoftBodies::count_impulse(const VertexTransfer::Part& part, std::span<const Vec3> impulses) {
   auto& load = part.body->loads.reaction;
   load = load + total_load(part.body->surface.positions, impulses, part.body->pose.center);

@@ -34,6 +34,8 @@ class SoftBodies {
   void find_forces(std::vector<Vec3>& forces);
   /// The body's shape at its present positions.
   const ShapeState& shape_of(const VertexTransfer::Part& part);
+  /// Of a body that separates parts of the box: takes the even part of the pressure difference from the forces.
+  void remove_mean_pressure(const VertexTransfer::Part& part, std::span<Vec3> forces) const;
   /// Adds to what the flow has been given in this step.
   void count_impulse(const VertexTransfer::Part& part, std::span<const Vec3> impulses);
   void begin_step();
