@@ -67,8 +67,10 @@ std::map<double, std::string> periods_of(const CaseConfig& config) {
 std::string groups_of(const BodyKind& kind, const CaseConfig& config, double speed) {
   const auto& body = kind.config;
   const double pressure = config.fluid.density * speed * speed;  // times the length 1: force / length
-  std::vector<std::string> groups;
-  const auto add = [&](const char* what, double value) { groups.push_back(fmt::format("{} {:.4g}", what, value)); };
+  std::string groups;
+  const auto add = [&](const char* what, double value) {
+    groups += fmt::format("{}{} {:.4g}", groups.empty() ? "" : ", ", what, value);
+  };
   const auto& positions = kind.prototype.positions;
   if (kind.is_free() && kind.is_closed())
     add("mass over that of the fluid displaced", kind.mass / (config.fluid.density * kind.displaced.volume));
@@ -93,7 +95,7 @@ std::string groups_of(const BodyKind& kind, const CaseConfig& config, double spe
       add("Ca", config.fluid.viscosity * speed / p.surface_tension->sigma);
     }
   }
-  return fmt::format("{}", fmt::join(groups, ", "));
+  return groups;
 }
 
 }  // namespace

@@ -50,11 +50,10 @@ class Reader {
     for (const auto& key : case_keys())
       if (const auto* entry = document_.root.find(key.path); entry && key.path.rfind("units.", 0) == 0) {
         key.set(scratch, entry->value);
-        if (key.path != "units.length") has_time_scale_ |= key.path != "units.density";
       }
     if (scratch.units) scales_ = scales_of(*scratch.units);
     has_units_ = document_.root.sections.count("units") > 0;
-    if (has_units_ && !has_time_scale_)
+    if (has_units_ && !document_.root.find("units.velocity") && !document_.root.find("units.time"))
       complain(document_.root, "units.velocity", document_.file.string(),
                "is missing: the velocity that is 1 in the case's own units, or units.time instead");
   }
@@ -239,7 +238,7 @@ class Reader {
   std::set<std::string> suspect_;
   std::map<std::string, std::string>* origins_ = nullptr;
   std::optional<UnitScales> scales_;
-  bool has_units_ = false, has_time_scale_ = false;
+  bool has_units_ = false;
 };
 }  // namespace
 

@@ -290,7 +290,10 @@ double Simulation::Impl::choose_step() {
   const double rate = flow.step_rate();
   const auto limits = step_limits(config, grid, std::max({rate, side_rate, bodies_rate()}), flow.viscous_step_limit(),
                                   coupled->step_limit());
-  next_event = std::min(config.time.end, outputs->next_time(now.time));
+  // An output at the end but for rounding must not leave it a step of its own, whose forces would be round-off over it.
+  constexpr double rounding = 1e-14;
+  next_event = outputs->next_time(now.time);
+  if (next_event > config.time.end * (1 - rounding)) next_event = config.time.end;
   const double step = step_towards(limits.smallest(), next_event - now.time);
   if (!(now.time + step > now.time))
     throw CollectiveError(

@@ -197,5 +197,19 @@ TEST(Scales, DoNotChangeTheFlow) {
   EXPECT_LT(relative_difference(own.forces, si.forces), 1e-12);
 }
 
+// Outputs in seconds and an end in seconds need not meet to the bit in the case's own time.
+TEST(Scales, LeaveNoStepOfRoundOffBeforeTheEnd) {
+  const SharedFolder owner;
+  auto config = small_box({6, 6, 6});
+  config.time.end = 0.9;
+  config.time.step = 0.1;
+  config.output.fields.interval = 0.3;
+  ASSERT_LT(3 * *config.output.fields.interval, config.time.end);
+  Simulation simulation(config, Communicator(), silent(owner.path()));
+  simulation.run();
+  EXPECT_EQ(simulation.step(), 9);
+  EXPECT_EQ(simulation.time(), 0.9);
+}
+
 }  // namespace
 }  // namespace pliant

@@ -126,7 +126,7 @@ TEST(BodySchedule, IsTheSameOnAnyNumberOfRanks) {
 // Fixed bodies can only take energy from a flow that nothing drives, in the step in which they come as in any other.
 TEST(BodySchedule, OfAFixedBodyTakesEnergyOnlyAndTheMostAsItComes) {
   const SharedFolder owner;
-  for (const auto guest : {ball("stone", MotionKind::fixed, {0, 0, 0}, 0.9), shutter({0, 0, 0})}) {
+  for (const auto& guest : {ball("stone", MotionKind::fixed, {0, 0, 0}, 0.9), shutter({0, 0, 0})}) {
     auto config = small_box({16, 16, 16});
     config.initial.flow = InitialFlow::uniform;
     config.initial.velocity = {0, 0, 1};
@@ -153,7 +153,7 @@ TEST(BodySchedule, OfAFixedBodyTakesEnergyOnlyAndTheMostAsItComes) {
 TEST(BodySchedule, IsInTheBodysTable) {
   const SharedFolder owner;
   const Communicator world;
-  auto config = with(disturbed(), {told({1, 1, 0.7})}, {0.2, {0.3, 0.6}});
+  auto config = with(disturbed(), {told({1, 1, 0})}, {0.2, {0.3, 0.6}});
   config.output.history.every = 1;
   run(config, world, owner.path());
   if (!world.is_root()) return;
@@ -190,7 +190,7 @@ TEST(BodySchedule, IsInTheBodysTable) {
 TEST(BodySchedule, IsInTheSurfaceFiles) {
   const SharedFolder owner;
   for (const long steps : {5, 12}) {  // there, and away
-    Simulation simulation(with(until(disturbed(), steps), {told({1, 1, 0.7})}, {0.2, {0.3, 0.6}}), Communicator(),
+    Simulation simulation(with(until(disturbed(), steps), {told({1, 1, 0})}, {0.2, {0.3, 0.6}}), Communicator(),
                           silent(owner.path() / std::to_string(steps)));
     simulation.run();
     const bool is_there = steps == 5;
