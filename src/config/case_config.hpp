@@ -370,6 +370,7 @@ struct BodyConfig {
   PotentialsConfig potentials;
   std::vector<SelectionConfig> selections;
   std::vector<std::string> pinned;  ///< selections whose vertices stay where they are
+  std::vector<std::string> watch;   ///< selections whose mean place and motion the body's table has
   std::vector<TetherConfig> tethers;
   std::vector<CordConfig> cords;
   std::vector<PullConfig> pulls;
