@@ -410,6 +410,12 @@ struct OutputConfig {
   SeriesConfig surfaces;
 };
 
+/// How far below a point fast fluid reaches in a cavity.
+struct JetConfig {
+  Vec3 origin, axis{0, 0, -1};
+  double threshold = 0;  ///< of the velocity along the axis
+};
+
 struct CheckpointConfig {
   std::optional<long> every;      ///< in steps
   std::optional<double> minutes;  ///< of wall-clock time; neither: only when the run stops
