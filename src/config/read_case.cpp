@@ -24,6 +24,7 @@ class Reader {
     origins_ = &config.origins;
     apply(case_keys(), document_.root, config);
     read_signals(config);
+    read_cavities(config);
     read_patches(config);
     for (const auto& scope : document_.bodies) {
       BodyConfig body;
@@ -53,6 +54,14 @@ class Reader {
             fmt::format("{}: {} has no values; give it table = [[t, v], ...], csv = \"FILE\" or formula = \"...\"",
                         scope.origin, key));
       }
+    }
+  }
+
+  void read_cavities(CaseConfig& config) {
+    for (const auto& [name, scope] : document_.cavities) {
+      config.origins.emplace("cavity." + name, scope.origin);
+      apply(cavity_keys(), scope, config.cavities.emplace_back());
+      config.cavities.back().name = name;
     }
   }
 

@@ -122,7 +122,6 @@ class StructureValidator : private BodyValidator {
     refuse(PartKind::cord, body.cords);
     refuse(PartKind::pull, body.pulls);
   }
-
 };
 
 }  // namespace

@@ -8,8 +8,8 @@
 namespace pliant {
 
 /// The flow at cell centres, at second order: velocities are the means of a cell's two faces, the vorticity consists of
-/// their differences over three cells. Beside a side where the velocity along it is given, the difference takes the side
-/// itself instead of a point beyond it.
+/// their differences over three cells. Beside a side where the velocity along it is given, the difference takes the
+/// side itself instead of a point beyond it.
 class CenteredFlow {
  public:
   CenteredFlow(const Grid& grid, const BoundaryConfig& boundary);

@@ -67,8 +67,8 @@ class Lines {
     std::sort(all.begin(), all.end(), in_order);
     std::vector<InsidePiece> pieces;
     for (auto begin = all.begin(); begin != all.end();) {
-      const auto end = std::find_if(
-          begin, all.end(), [&](const Crossing& c) { return c.i != begin->i || c.j != begin->j; });
+      const auto end =
+          std::find_if(begin, all.end(), [&](const Crossing& c) { return c.i != begin->i || c.j != begin->j; });
       if (is_whole({begin, end})) add_pieces({begin, end}, pieces);
       else add_pieces(find_anew(begin->i, begin->j), pieces);
       begin = end;

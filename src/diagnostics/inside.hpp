@@ -9,8 +9,8 @@
 
 namespace pliant {
 
-/// A piece of the line along z through the centres of the cells (i, j) that lies inside a surface. i and j count on past
-/// periodic sides, as the surface does; z may as well.
+/// A piece of the line along z through the centres of the cells (i, j) that lies inside a surface. i and j count on
+/// past periodic sides, as the surface does; z may as well.
 struct InsidePiece {
   int i = 0, j = 0;
   double from = 0, to = 0;
@@ -21,8 +21,8 @@ struct InsidePiece {
 std::vector<InsidePiece> find_inside(const Grid& grid, std::span<const Face> faces, std::span<const Vec3> positions,
                                      double orientation);
 
-/// Calls visit(i, j, k, share, shift) for every cell of this rank's slab that pieces reach: the share of its height that
-/// is inside, and what has to be added to the cell's centre to come to where the surface is.
+/// Calls visit(i, j, k, share, shift) for every cell of this rank's slab that pieces reach: the share of its height
+/// that is inside, and what has to be added to the cell's centre to come to where the surface is.
 template <class Visit>
 void for_cells_inside(const Grid& grid, std::span<const InsidePiece> pieces, Visit visit) {
   const auto wrap = [](int n, int cells) { return ((n % cells) + cells) % cells; };

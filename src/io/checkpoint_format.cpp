@@ -11,7 +11,7 @@ namespace pliant {
 namespace {
 
 constexpr std::array<char, 8> magic{'P', 'L', 'I', 'A', 'N', 'T', 'C', 'P'};
-constexpr std::uint32_t format_version = 2;
+constexpr std::uint32_t format_version = 3;
 constexpr std::uint32_t byte_order = 0x01020304;
 
 struct Preamble {

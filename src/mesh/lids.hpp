@@ -7,8 +7,8 @@
 
 namespace pliant {
 
-/// A surface whose every border is closed by a lid: a fan from the mean of the border's vertices, flat if the border is.
-/// A closed surface has no lids.
+/// A surface whose every border is closed by a lid: a fan from the mean of the border's vertices, flat if the border
+/// is. A closed surface has no lids.
 class LiddedSurface {
  public:
   explicit LiddedSurface(const TriangleMesh& mesh);

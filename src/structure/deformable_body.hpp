@@ -41,8 +41,8 @@ struct DeformableBody {
   PotentialSet potentials;
   std::vector<std::uint8_t> pinned;  ///< 1: the vertex stays where it is; empty: none does
   std::vector<Watch> watches;
-  Attachments attachments;           ///< tethers, cords and pulls, in the coordinates of the surface
-  Vec3 origin;                       ///< where the origin of these coordinates is, and how they are turned
+  Attachments attachments;  ///< tethers, cords and pulls, in the coordinates of the surface
+  Vec3 origin;              ///< where the origin of these coordinates is, and how they are turned
   Quaternion orientation;
   bool is_interface = false;        ///< of two liquids: its vertices are no material (interface_mesh.hpp)
   double damping = 0;               ///< force = -damping * velocity, on every vertex

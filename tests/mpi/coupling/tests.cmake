@@ -15,3 +15,5 @@ pliant_test(deformable_contact_test SOURCES ${CMAKE_CURRENT_LIST_DIR}/deformable
   RANKS 1 2 3 4)
 pliant_test(coupling_interface_test SOURCES ${CMAKE_CURRENT_LIST_DIR}/interface_test.cpp LIBS pliant_simulation RANKS 1 3)
 target_include_directories(coupling_interface_test PRIVATE ${CMAKE_SOURCE_DIR}/tests)
+pliant_test(coupling_wall_shear_test SOURCES ${CMAKE_CURRENT_LIST_DIR}/wall_shear_test.cpp LIBS pliant_simulation
+  RANKS 1 2 3 4)

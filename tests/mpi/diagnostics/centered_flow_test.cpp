@@ -117,8 +117,8 @@ TEST(CenteredFlow, VorticityIsOfSecondOrderBetweenWalls) {
     for (int k = 0; k < grid.nz(); ++k)
       for (int i = 0; i < grid.nx(); ++i) {
         const double x = grid.x_center(i), z = grid.z_center()[k];
-        const double expected = 2 * pi * pi * std::cos(2 * pi * x) *
-                                (std::cos(2 * pi * z) - 2 * std::pow(std::sin(pi * z), 2));
+        const double expected =
+            2 * pi * pi * std::cos(2 * pi * x) * (std::cos(2 * pi * z) - 2 * std::pow(std::sin(pi * z), 2));
         const Vec3 found = centered.vorticity(solver.state(), i, 1, k);
         error = std::max(error, norm(found - Vec3{0, expected, 0}));
       }

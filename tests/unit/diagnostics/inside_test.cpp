@@ -35,7 +35,8 @@ double winding(const Surface& surface, Vec3 point) {
   return sum / (4 * std::numbers::pi);
 }
 
-// Centres of the cells of which pieces hold more than half: not quite those whose centres are inside, so lines are asked.
+// Centres of the cells of which pieces hold more than half: not quite those whose centres are inside, so lines are
+// asked.
 bool is_in(const std::vector<InsidePiece>& pieces, int i, int j, double z) {
   for (const auto& piece : pieces)
     if (piece.i == i && piece.j == j && piece.from < z && z < piece.to) return true;
