@@ -14,6 +14,7 @@ namespace {
 constexpr double reach = 1;  // degrees
 // A body that rattles for a long time does not fill the memory: the newest stay.
 constexpr std::size_t most_events = 1000;
+constexpr std::size_t most_lines = 10;
 
 }  // namespace
 
@@ -63,6 +64,10 @@ std::vector<std::string> HingeTimes::describe() const {
   constexpr std::ptrdiff_t shown = 8;
   std::vector<std::string> lines;
   for (const auto& hinge : hinges_) {
+    if (lines.size() == most_lines) {
+      lines.push_back(fmt::format("and {} hinges more: run.json has them", hinges_.size() - most_lines));
+      break;
+    }
     const auto count = static_cast<std::ptrdiff_t>(hinge.events.size());
     auto text = fmt::format("hinge {}:", hinge.name);
     if (count == 0) text += " neither left a stop nor came to one";

@@ -16,7 +16,8 @@ std::size_t numbers_of_cell(bool with_vorticity) { return with_vorticity ? 7 : 4
 
 double phase_average_bytes_per_cell(const OutputConfig& config) {
   if (!config.phase_average) return 0;
-  return 8.0 * config.phase_average->bins * static_cast<double>(numbers_of_cell(config.fields.vorticity));
+  constexpr int kept = 1;  // bins, for the way back
+  return 8.0 * (config.phase_average->bins + kept) * static_cast<double>(numbers_of_cell(config.fields.vorticity));
 }
 
 PhaseAverage::PhaseAverage(const PhaseAverageConfig& config, double period, bool with_vorticity, const Grid& grid,
@@ -44,7 +45,7 @@ void PhaseAverage::add(double time, const FlowState& state) {
   const auto bin =
       std::min(static_cast<std::size_t>(cycle_time(time, period_).phase * config_.bins + 1e-9), weights_.size() - 1);
   auto& sums = sums_[bin];
-  kept_sums_.try_emplace(bin, sums);
+  if (is_keeping_) kept_sums_.try_emplace(bin, sums);
   weights_[bin] += weight;
   double* at = sums.data();
   const auto put = [&](Vec3 v) {
@@ -86,6 +87,7 @@ void PhaseAverage::write_files(const std::filesystem::path& output) const {
 }
 
 void PhaseAverage::keep() {
+  is_keeping_ = true;
   kept_sums_.clear();
   kept_weights_ = weights_;
   kept_time_ = last_time_;

@@ -56,6 +56,7 @@ class PhaseAverage {
   std::map<std::size_t, Sums> kept_sums_;
   std::vector<double> kept_weights_;
   double kept_time_ = 0;
+  bool is_keeping_ = false;
 };
 
 /// Bytes a cell that it takes.
