@@ -51,6 +51,12 @@ Ejection fit(const CavityConfig& cavity, CaseConfig& config, std::span<const Pla
         place, cavity.flow, std::abs(inflow.at_end) / stroke, inflow.at_end > 0 ? "larger" : "smaller"));
   const double volume = start_volume(cavity, config, placed);
   signal.scale = fraction * volume / (stroke - fraction * inflow.most);
+  const auto scaled = integrate(make_signal(config, cavity.flow), *period, cavity.flow_factor);
+  if (std::abs(scaled.most - scaled.least - signal.scale * stroke) > 1e-9 * signal.scale * stroke)
+    throw InputError(
+        fmt::format("{}: the scale of the signal \"{}\" does not set its size, as another of its keys does; "
+                    "remove that",
+                    place, cavity.flow));
   return {cavity.name, cavity.flow, volume, volume + signal.scale * inflow.least, volume + signal.scale * inflow.most,
           signal.scale};
 }

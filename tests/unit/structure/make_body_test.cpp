@@ -59,7 +59,8 @@ TEST(MakeBody, WatchesTheMeanOfASelection) {
   auto config = drop();
   SelectionConfig upper;
   upper.name = "upper";
-  upper.plane = SelectionConfig::Plane{.point = {0, 0, 3}, .normal = {0, 0, 1}, .side = PlaneSide::beyond};
+  upper.plane =
+      SelectionConfig::Plane{.point = {0, 0, 3}, .normal = {0, 0, 1}, .side = PlaneSide::beyond, .tolerance = {}};
   config.selections = {upper};
   config.watch = {"upper"};
   auto body = body_of(config);
