@@ -20,6 +20,7 @@
 #include "coupling/one_way.hpp"
 #include "flow/flow_solver.hpp"
 #include "signals/make_signal.hpp"
+#include "simulation/ejection.hpp"
 #include "simulation/time_step.hpp"
 #include "structure/place_bodies.hpp"
 #include "structure/stable_time_step.hpp"
@@ -136,6 +137,21 @@ void print_patches(const CaseConfig& config, const Grid& grid) {
         fmt::print("# patch {}: {} faces of the grid, area {:.6g}\n", patch.name, patch.faces.size(), patch.area);
 }
 
+void print_cavities(const CaseConfig& config) {
+  if (config.cavities.empty()) return;
+  const auto placed = place_bodies(config);
+  auto fitted = config;
+  const auto fits = set_ejection_scales(fitted, placed);
+  for (const auto& cavity : config.cavities) {
+    fmt::print("# cavity {}: volume {:.6g} at the start", cavity.name, start_volume(cavity, config, placed));
+    for (const auto& fit : fits)
+      if (fit.cavity == cavity.name)
+        fmt::print("; {:.6g} to {:.6g} in a cycle (ejection fraction {:.4g}) with signal {} scaled by {:.6g}",
+                   fit.smallest_volume, fit.largest_volume, *cavity.ejection_fraction, fit.signal, fit.scale);
+    fmt::print("\n");
+  }
+}
+
 StepLimits limits_at_start(const CaseConfig& config, const Grid& grid, const CheckedBodies& bodies) {
   const double viscous = viscous_step_limit(grid, config.fluid.viscosity / config.fluid.density, config.time.viscous);
   const double sides = OpenSides(grid, config.boundary, make_signals(config)).largest_rate(config.time.end);
@@ -187,6 +203,7 @@ int check(const CheckArguments& arguments, const Communicator& communicator) {
   print_memory(config, bodies, ranks);
   print_patches(config, grid);
   for (const auto& line : describe_signals(config)) fmt::print("# {}\n", line);
+  print_cavities(config);
   print_sweeps(config, grid, ranks);
   print_steps(config, grid, bodies);
   const double step = limits_at_start(config, grid, bodies).smallest();

@@ -12,6 +12,7 @@
 #include "mesh/geometry.hpp"
 #include "parallel/agree.hpp"
 #include "signals/make_signal.hpp"
+#include "simulation/ejection.hpp"
 #include "structure/make_body.hpp"
 #include "structure/overlap.hpp"
 #include "structure/place_bodies.hpp"
@@ -104,18 +105,20 @@ void check_copies(const CaseConfig& config, const Grid& grid, std::size_t index,
   }
 }
 
-void check_bodies(const CaseConfig& config) {
+/// The scales that ejection fractions ask for are set on the way.
+void check_bodies(CaseConfig& config) {
   const auto placed = place_bodies(config);
   const Grid grid(config.box, config.boundary, Communicator(MPI_COMM_SELF));
   std::vector<std::string> problems;
   for (std::size_t b = 0; b < placed.size(); ++b) check_copies(config, grid, b, placed[b], problems);
   for (auto& problem : find_overlaps(config, placed)) problems.push_back(std::move(problem));
   if (!problems.empty()) throw InputError(std::move(problems));
+  set_ejection_scales(config, placed);
 }
 }  // namespace
 
 CaseConfig load_case(const CaseArguments& arguments, int ranks) {
-  const auto config = read_case(arguments.path, arguments.overrides, ranks, check_signals);
+  auto config = read_case(arguments.path, arguments.overrides, ranks, check_signals);
   check_bodies(config);
   return config;
 }

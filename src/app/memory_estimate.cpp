@@ -10,6 +10,7 @@
 #include "config/validate.hpp"
 #include "core/error.hpp"
 #include "flow/flow_solver.hpp"
+#include "simulation/phase_average.hpp"
 
 namespace pliant {
 namespace {
@@ -57,6 +58,7 @@ MemoryEstimate estimate_memory(const CaseConfig& config, int ranks) {
   estimate.flow_bytes = extrapolated_bytes(config, cells, 0);
   // The state that a run keeps in memory for the checkpoint of a failure.
   if (config.checkpoint.keep > 0) estimate.flow_bytes += 4 * 8.0 * cells[0] * cells[1] * cells[2];
+  estimate.flow_bytes += phase_average_bytes_per_cell(config.output) * cells[0] * cells[1] * cells[2];
   estimate.doubles_per_cell = estimate.flow_bytes / (8.0 * cells[0] * cells[1] * cells[2]);
   return estimate;
 }
@@ -77,14 +79,16 @@ void require_memory(const CaseConfig& config, const Communicator& ranks) {
   const double least_doubles_per_cell = config.time.sweeps == Sweeps::fused ? 8 : 11;
   const auto& n = config.box.cells;
   const double planes = std::ceil(static_cast<double>(n[2]) / ranks.size());
-  const double needed = 8 * least_doubles_per_cell * n[0] * n[1] * planes * ranks_here;
+  const double averages = phase_average_bytes_per_cell(config.output);
+  const double needed = (8 * least_doubles_per_cell + averages) * n[0] * n[1] * planes * ranks_here;
   const double present = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
   const double excess = ranks.max(present > 0 ? needed / present : 0.0);
   if (excess <= 1) return;
-  throw InputError(
-      fmt::format("{} {} x {} x {} needs at least {:.4g} GB on one machine, {:.3g} times the memory that it has; use "
-                  "fewer cells, or more machines",
-                  place_of(config, "box.cells"), n[0], n[1], n[2], needed / 1e9, excess));
+  throw InputError(fmt::format(
+      "{} {} x {} x {} needs at least {:.4g} GB on one machine, {:.3g} times the memory that it has; use "
+      "fewer cells{}, or more machines",
+      place_of(config, "box.cells"), n[0], n[1], n[2], needed / 1e9, excess,
+      averages > 0 ? fmt::format(", fewer bins of output.phase_average ({:.0f} bytes a cell)", averages) : ""));
 }
 
 }  // namespace pliant

@@ -417,6 +417,7 @@ struct BodyConfig {
   PotentialsConfig potentials;
   std::vector<SelectionConfig> selections;
   std::vector<std::string> pinned;  ///< selections whose vertices stay where they are
+  std::vector<std::string> watch;   ///< selections whose mean place and motion the body's table has
   std::vector<TetherConfig> tethers;
   std::vector<CordConfig> cords;
   std::vector<PullConfig> pulls;
@@ -449,12 +450,39 @@ struct HistoryConfig {
 };
 struct SeriesConfig {
   std::optional<double> interval;  ///< in time
-  std::optional<long> every;       ///< in steps; neither: not written
+  std::optional<long> every;       ///< in steps
+  std::vector<double> phases;      ///< of every cycle; none of the three: not written
+};
+struct FieldsConfig : SeriesConfig {
+  bool vorticity = false;
+};
+/// Means of the flow over all cycles, by phase.
+struct PhaseAverageConfig {
+  int bins = 0;     ///< equal parts of the cycle
+  double from = 0;  ///< time before which nothing counts
+  long every = 1;   ///< steps between two samples
 };
 struct OutputConfig {
+  std::optional<double> period;  ///< of the cycle, which begins at time 0
   HistoryConfig history;
-  SeriesConfig fields;
+  FieldsConfig fields;
   SeriesConfig surfaces;
+  std::optional<PhaseAverageConfig> phase_average;
+};
+
+/// How far below a point fast fluid reaches in a cavity.
+struct JetConfig {
+  Vec3 origin, axis{0, 0, -1};
+  double threshold = 0;  ///< of the velocity along the axis
+};
+/// The inside of a body, or what it and flat lids on its borders enclose, followed over time.
+struct CavityConfig {
+  std::string name, body;
+  std::string flow;              ///< what comes in, to compare with: a signal's name or a formula of t; empty: nothing
+  double flow_factor = 1;        ///< on it
+  std::optional<double> period;  ///< default: the signal's, else output.period
+  std::optional<double> ejection_fraction;  ///< sets the scale of the signal
+  std::optional<JetConfig> jet;
 };
 
 struct CheckpointConfig {
@@ -485,6 +513,7 @@ struct CaseConfig {
   CouplingConfig coupling;
   RepulsionConfig repulsion;
   std::vector<BodyConfig> bodies;
+  std::vector<CavityConfig> cavities;
   OutputConfig output;
   CheckpointConfig checkpoint;
 };

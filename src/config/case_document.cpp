@@ -80,6 +80,7 @@ CaseDocument read_document(const std::filesystem::path& file, std::span<const st
   };
   flatten(table, KnownPaths::of_case(), origin_of, document.root, document.problems);
   document.signals = read_signals(table, origin_of, document.problems);
+  document.cavities = read_cavities(table, origin_of, document.problems);
   document.patches = read_patches(table, origin_of, document.problems).patches;
   read_bodies(table, origin_of, document);
   for (const auto& text : overrides) apply_override(text, document);

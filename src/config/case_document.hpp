@@ -26,8 +26,8 @@ struct Scope {
   const Entry* find(const std::string& path) const;
 };
 
-/// One [signals.NAME].
-struct SignalScope {
+/// One [signals.NAME] or [cavity.NAME].
+struct NamedScope {
   std::string name;
   Scope scope;
 };
@@ -50,7 +50,8 @@ struct PartScope {
 struct CaseDocument {
   std::filesystem::path file;
   Scope root;
-  std::vector<SignalScope> signals;
+  std::vector<NamedScope> signals;
+  std::vector<NamedScope> cavities;
   std::vector<PatchScope> patches;
   std::vector<Scope> bodies;
   std::vector<PartScope> parts;

@@ -282,16 +282,47 @@ void add_series(std::vector<CaseKey>& keys, const std::string& name, const std::
   keys.push_back(make_key<CaseConfig>(
       {"output." + name + ".every", "steps", "steps between two " + what},
       [series](auto& c) { return &series(c).every; }, at_least(1)));
+  keys.push_back(make_key<CaseConfig>(
+      {"output." + name + ".phases", "", what + " at these phases of every cycle of output.period; 0: its beginning"},
+      [series](auto& c) { return &series(c).phases; }, Limits{.min = 0, .max = 1, .max_bound = Bound::exclusive}));
+}
+
+void add_phase_average(std::vector<CaseKey>& keys) {
+  const auto add = [&](KeyText text, auto value, Limits limits) {
+    text.path = "output.phase_average." + text.path;
+    return make_key<CaseConfig>(
+        std::move(text),
+        [value](auto& c) {
+          auto* group = member(c.output.phase_average);
+          return group ? &(group->*value) : nullptr;
+        },
+        limits);
+  };
+  using P = PhaseAverageConfig;
+  keys.push_back(required(add({"bins", "",
+                               "equal parts of output.period, in each of which the flow is averaged over all "
+                               "cycles: phase_average.xdmf"},
+                              &P::bins, between(1, 10000))));
+  keys.push_back(add({"from", "time", "before which nothing counts"}, &P::from, at_least(0)));
+  keys.push_back(
+      add({"every", "steps", "steps between two samples; each counts as much as the time since the one before"},
+          &P::every, at_least(1)));
 }
 
 void add_output(std::vector<CaseKey>& keys) {
+  keys.push_back(make_key<CaseConfig>(
+      {"output.period", "time", "of the cycle that begins at time 0, for all that goes by phases"},
+      [](auto& c) { return &c.output.period; }, positive()));
   keys.push_back(make_key<CaseConfig>(
       {"output.history.every", "steps", "steps between two lines of the CSV files"},
       [](auto& c) { return &c.output.history.every; }, at_least(1)));
   add_series(
       keys, "fields", "outputs of velocity and pressure", [](auto& c) -> auto& { return c.output.fields; });
+  keys.push_back(make_key<CaseConfig>({"output.fields.vorticity", "", "true: the vorticity as well"},
+                                      [](auto& c) { return &c.output.fields.vorticity; }));
   add_series(
       keys, "surfaces", "outputs of the bodies' surfaces", [](auto& c) -> auto& { return c.output.surfaces; });
+  add_phase_average(keys);
 }
 
 void add_checkpoint(std::vector<CaseKey>& keys) {

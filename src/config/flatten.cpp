@@ -94,10 +94,10 @@ std::vector<std::string> sides_named(std::string_view key) {
 
 KnownPaths KnownPaths::of_case() {
   auto known = known_paths(case_keys());
-  for (const auto* name :
-       {"boundary.x", "boundary.y", "boundary.z", "body", "signals", "boundary.z-.patches", "boundary.z+.patches"})
+  for (const auto* name : {"boundary.x", "boundary.y", "boundary.z", "body", "signals", "cavity", "boundary.z-.patches",
+                           "boundary.z+.patches"})
     known.names.push_back(name);
-  known.left_out = {"body", "signals"};
+  known.left_out = {"body", "signals", "cavity"};
   return known;
 }
 
@@ -124,6 +124,7 @@ KnownPaths KnownPaths::of_part(PartKind kind) {
   return {};
 }
 KnownPaths KnownPaths::of_signal() { return known_paths(signal_keys()); }
+KnownPaths KnownPaths::of_cavity() { return known_paths(cavity_keys()); }
 KnownPaths KnownPaths::of_patch() { return known_paths(patch_keys()); }
 
 void flatten(const toml::table& table, const KnownPaths& known, const OriginOf& origin_of, Scope& scope,

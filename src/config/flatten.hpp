@@ -19,6 +19,7 @@ struct KnownPaths {
   static KnownPaths of_case();
   static KnownPaths of_body();
   static KnownPaths of_signal();
+  static KnownPaths of_cavity();
   static KnownPaths of_patch();
   static KnownPaths of_part(PartKind kind);
 };
@@ -27,8 +28,8 @@ struct KnownPaths {
 using OriginOf = std::function<std::string(const toml::node&)>;
 
 /// Appends the entries of `table` to `scope`, writing out the shorthands of [boundary]. Unknown keys go to `problems`.
-/// The array "body" of a case, its table "signals", the arrays "patches" of its sides, and the tables of a body's parts
-/// are left to the caller.
+/// The array "body" of a case, its tables "signals" and "cavity", the arrays "patches" of its sides, and the tables of
+/// a body's parts are left to the caller.
 void flatten(const toml::table& table, const KnownPaths& known, const OriginOf& origin_of, Scope& scope,
              std::vector<std::string>& problems);
 

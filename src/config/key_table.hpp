@@ -16,6 +16,9 @@ std::vector<Key<BodyConfig>> body_keys();
 /// Every key of one [signals.NAME].
 std::vector<Key<SignalConfig>> signal_keys();
 
+/// Every key of one [cavity.NAME].
+std::vector<Key<CavityConfig>> cavity_keys();
+
 /// Every key of one of a side's patches.
 std::vector<Key<PatchConfig>> patch_keys();
 /// Every key of one of a body's [body.selection.NAME], [body.tether.NAME], [body.cord.NAME], [body.pull.NAME].

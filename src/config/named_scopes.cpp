@@ -70,14 +70,24 @@ void read_tables(const toml::table& above, const NamedTables& tables, const Orig
 }
 }  // namespace
 
-std::vector<SignalScope> read_signals(const toml::table& root, const OriginOf& origin_of,
-                                      std::vector<std::string>& problems) {
-  std::vector<SignalScope> signals;
+std::vector<NamedScope> read_signals(const toml::table& root, const OriginOf& origin_of,
+                                     std::vector<std::string>& problems) {
+  std::vector<NamedScope> signals;
   const NamedTables tables{"signals", "[signals.NAME]", "signals.", "formula = \"...\"", KnownPaths::of_signal()};
   read_tables(root, tables, origin_of, problems, [&](const std::string& name, Scope scope) {
     signals.push_back({name, std::move(scope)});
   });
   return signals;
+}
+
+std::vector<NamedScope> read_cavities(const toml::table& root, const OriginOf& origin_of,
+                                      std::vector<std::string>& problems) {
+  std::vector<NamedScope> cavities;
+  const NamedTables tables{"cavity", "[cavity.NAME]", "cavity.", "body = \"...\"", KnownPaths::of_cavity()};
+  read_tables(root, tables, origin_of, problems, [&](const std::string& name, Scope scope) {
+    cavities.push_back({name, std::move(scope)});
+  });
+  return cavities;
 }
 
 std::vector<PartScope> read_parts(const toml::table& body, const std::string& prefix, const OriginOf& origin_of,

@@ -7,7 +7,11 @@
 namespace pliant {
 
 /// The tables [signals.NAME] of a case.
-std::vector<SignalScope> read_signals(const toml::table& root, const OriginOf& origin_of,
+std::vector<NamedScope> read_signals(const toml::table& root, const OriginOf& origin_of,
+                                     std::vector<std::string>& problems);
+
+/// The tables [cavity.NAME] of a case.
+std::vector<NamedScope> read_cavities(const toml::table& root, const OriginOf& origin_of,
                                       std::vector<std::string>& problems);
 
 /// The tables [body.selection.NAME], [body.tether.NAME], ... of a body with this prefix.

@@ -73,6 +73,15 @@ void lay_over(Scope& scope, const Scope& over, const std::vector<Key<Config>>& k
   scope.sections.insert(over.sections.begin(), over.sections.end());
 }
 
+template <class Config>
+void lay_over(std::vector<NamedScope>& all, const std::vector<NamedScope>& over, const std::vector<Key<Config>>& keys) {
+  for (const auto& one : over) {
+    const auto same = std::find_if(all.begin(), all.end(), [&](const auto& old) { return old.name == one.name; });
+    if (same == all.end()) all.push_back(one);
+    else lay_over(same->scope, one.scope, keys);
+  }
+}
+
 Scope* find_body(CaseDocument& document, const std::string& name) {
   for (auto& body : document.bodies) {
     const auto* entry = body.find("name");
@@ -109,19 +118,16 @@ bool apply_to_patch(std::span<const std::string> parts, const toml::node& node, 
   return true;
 }
 
-/// What a table says of signals, and of all the patches of a side. True if it says anything.
+/// What a table says of signals, cavities, and of all the patches of a side. True if it says anything.
 bool lay_named_scopes_over(const toml::table& table, const OriginOf& origin_of, CaseDocument& document) {
   const auto signals = read_signals(table, origin_of, document.problems);
-  for (const auto& over : signals) {
-    auto& all = document.signals;
-    const auto same = std::find_if(all.begin(), all.end(), [&](const auto& old) { return old.name == over.name; });
-    if (same == all.end()) all.push_back(over);
-    else lay_over(same->scope, over.scope, signal_keys());
-  }
+  lay_over(document.signals, signals, signal_keys());
+  const auto cavities = read_cavities(table, origin_of, document.problems);
+  lay_over(document.cavities, cavities, cavity_keys());
   const auto [sides, patches] = read_patches(table, origin_of, document.problems);
   for (int side : sides) std::erase_if(document.patches, [side](const PatchScope& old) { return old.side == side; });
   document.patches.insert(document.patches.end(), patches.begin(), patches.end());
-  return !signals.empty() || !sides.empty();
+  return !signals.empty() || !cavities.empty() || !sides.empty();
 }
 
 template <class Visit>

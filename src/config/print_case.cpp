@@ -66,6 +66,7 @@ std::string lines(const Json& table) {
 Json resolved_case(const CaseConfig& config) {
   auto tree = resolve(case_keys(), config);
   for (const auto& [name, signal] : config.signals) tree["signals"][name] = resolve(signal_keys(), signal);
+  for (const auto& cavity : config.cavities) tree["cavity"][cavity.name] = resolve(cavity_keys(), cavity);
   for (std::size_t side = 0; side < 6; ++side)
     if (const auto* patches = patches_of(config.boundary[side]))
       for (const auto& patch : *patches)

@@ -26,6 +26,7 @@ class Reader {
     read_scales();
     apply(case_keys(), document_.root, config);
     read_signals(config);
+    read_cavities(config);
     read_patches(config);
     for (const auto& scope : document_.bodies) {
       BodyConfig body;
@@ -136,6 +137,14 @@ class Reader {
   // Scales that are there, but wrong, are complained about already.
   bool is_excused(const std::optional<std::string>& problem) const {
     return has_units_ && !scales_ && problem->find(how_to_give_scales()) != std::string::npos;
+  }
+
+  void read_cavities(CaseConfig& config) {
+    for (const auto& [name, scope] : document_.cavities) {
+      config.origins.emplace("cavity." + name, scope.origin);
+      apply(cavity_keys(), scope, config.cavities.emplace_back());
+      config.cavities.back().name = name;
+    }
   }
 
   void read_patches(CaseConfig& config) {

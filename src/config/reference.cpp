@@ -74,6 +74,11 @@ std::string case_reference() {
       table_head();
   for (const auto& key : signal_keys()) text += row(key, key.path);
   text +=
+      "\n## [cavity.NAME]\n\nA body's inside, or what it and flat lids on its borders enclose, followed over time: "
+      "`cavities/NAME.csv` and a summary of\neach cycle. [output-files.md](output-files.md) says more.\n\n" +
+      table_head();
+  for (const auto& key : cavity_keys()) text += row(key, key.path);
+  text +=
       "\n## [[body]]\n\nOne for each body; the keys under `potentials` are written under `[body.potentials]`, and a "
       "potential that is not\nwritten is not there.\n\n" +
       table_head();

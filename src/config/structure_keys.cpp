@@ -58,6 +58,11 @@ void add_material(std::vector<BodyKey>& keys) {
       [](auto& b) { return &b.substeps; }, at_least(1)));
   add(make_key<BodyConfig>({"pinned", "", "selections whose vertices stay where they are"},
                            [](auto& b) { return &b.pinned; }));
+  add(make_key<BodyConfig>(
+      {"watch", "",
+       "selections whose mean position and mean velocity the body's table has, as watch_NAME_x and "
+       "watch_NAME_velocity_x, and so for y and z"},
+      [](auto& b) { return &b.watch; }));
 }
 
 void add_potentials(std::vector<BodyKey>& keys) {

@@ -7,6 +7,7 @@
 
 #include "config/key_table.hpp"
 #include "config/validate_bodies.hpp"
+#include "config/validate_outputs.hpp"
 #include "config/validate_patches.hpp"
 #include "config/validate_structure.hpp"
 
@@ -30,6 +31,7 @@ class Validator {
     check_motions(config_, suspect_, problems_);
     check_structures(config_, suspect_, problems_);
     check_patches(config_, suspect_, problems_);
+    check_outputs(config_, suspect_, problems_);
     return std::move(problems_);
   }
 

@@ -95,6 +95,7 @@ class StructureValidator : private BodyValidator {
 
   void check_uses(const BodyConfig& body) {
     for (const auto& name : body.pinned) require_selection(body, "pinned", name);
+    for (const auto& name : body.watch) require_selection(body, "watch", name);
     for (const auto& tether : body.tethers)
       require_selection(body, "tether." + tether.name + ".selection", tether.selection);
     for (const auto& pull : body.pulls) require_selection(body, "pull." + pull.name + ".selection", pull.selection);
@@ -121,7 +122,6 @@ class StructureValidator : private BodyValidator {
     refuse(PartKind::cord, body.cords);
     refuse(PartKind::pull, body.pulls);
   }
-
 };
 
 }  // namespace

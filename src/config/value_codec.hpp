@@ -186,6 +186,24 @@ struct ValueCodec<std::vector<std::array<double, 2>>> {
   }
 };
 
+/// A list of numbers.
+template <>
+struct ValueCodec<std::vector<double>> {
+  static std::string type_name() { return "list of numbers"; }
+  static std::string legal(const Limits& limits) { return "each " + describe(limits); }
+  static std::optional<std::string> read(const Json& value, std::vector<double>& out, const Limits& limits) {
+    if (!value.is_array()) return "must be a list of numbers, [...], not " + describe_value(value);
+    std::vector<double> result(value.size());
+    for (std::size_t n = 0; n < result.size(); ++n) {
+      if (auto problem = ValueCodec<double>::read(value[n], result[n], limits))
+        return "entry " + std::to_string(n + 1) + " " + *problem;
+    }
+    out = std::move(result);
+    return std::nullopt;
+  }
+  static Json write(const std::vector<double>& value) { return value.empty() ? Json() : Json(value); }
+};
+
 /// A list of names.
 template <>
 struct ValueCodec<std::vector<std::string>> {

@@ -5,13 +5,14 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 
 #include "core/byte_stream.hpp"
 #include "core/error.hpp"
-#include "parallel/agree.hpp"
 #include "io/checksum.hpp"
+#include "parallel/agree.hpp"
 
 namespace pliant {
 namespace {
@@ -121,22 +122,33 @@ void CheckpointReader::verify() {
   });
 }
 
+std::vector<double> CheckpointReader::read_table(const CheckpointTable& kept, const RowTable& mine) const {
+  if (kept.name != mine.name || kept.rows != mine.rows || kept.row_bytes != mine.row_size * sizeof(double))
+    throw CheckpointRefused(fmt::format("is of another flow: its table {} has {} rows of {} bytes, not {} {} of {}",
+                                        kept.name, kept.rows, kept.row_bytes, mine.name, mine.rows,
+                                        mine.row_size * sizeof(double)));
+  const auto rows = read_rows(kept, mine.first, mine.count);
+  std::vector<double> values(mine.size());
+  std::memcpy(values.data(), rows.data(), rows.size());
+  return values;
+}
+
+void CheckpointReader::restore(const std::vector<StoredTable>& more) {
+  together([&] {
+    for (const auto& table : more) {
+      const auto kept = std::find_if(directory_.tables.begin(), directory_.tables.end(),
+                                     [&](const auto& one) { return one.name == table.shape.name; });
+      if (kept == directory_.tables.end()) throw CheckpointRefused(fmt::format("has no table {}", table.shape.name));
+      table.load(read_table(*kept, table.shape));
+    }
+  });
+}
+
 void CheckpointReader::restore(FlowSolver& flow) {
   together([&] {
     const auto tables = flow.state_tables();
-    if (tables.size() != directory_.tables.size()) throw CheckpointRefused("is of another kind of flow");
-    for (std::size_t t = 0; t < tables.size(); ++t) {
-      const auto& mine = tables[t];
-      const auto& kept = directory_.tables[t];
-      if (kept.name != mine.name || kept.rows != mine.rows || kept.row_bytes != mine.row_size * sizeof(double))
-        throw CheckpointRefused(fmt::format("is of another flow: its table {} has {} rows of {} bytes, not {} {} of {}",
-                                            kept.name, kept.rows, kept.row_bytes, mine.name, mine.rows,
-                                            mine.row_size * sizeof(double)));
-      const auto rows = read_rows(kept, mine.first, mine.count);
-      std::vector<double> values(mine.size());
-      std::memcpy(values.data(), rows.data(), rows.size());
-      flow.load_table(t, values);
-    }
+    if (tables.size() > directory_.tables.size()) throw CheckpointRefused("is of another kind of flow");
+    for (std::size_t t = 0; t < tables.size(); ++t) flow.load_table(t, read_table(directory_.tables[t], tables[t]));
   });
   try {
     // The numbers are the same on all ranks, so all of them come through or none.

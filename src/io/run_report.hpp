@@ -28,6 +28,9 @@ class RunReport {
   /// restarts is kept.
   void note_restart(const std::filesystem::path& checkpoint, long step, double time);
 
+  /// What the run has found so far, by kind of finding.
+  void set_results(Json results) { content_["results"] = std::move(results); }
+
   /// Rewrites the file in one piece; any status but "running" ends the run now. Throws RunError.
   void write(const RunStatus& status);
 

@@ -5,11 +5,11 @@
 #include <string_view>
 
 #include "core/error.hpp"
-#include "parallel/agree.hpp"
 #include "io/atomic_file.hpp"
 #include "io/checksum.hpp"
 #include "io/posix_file.hpp"
 #include "io/shared_file.hpp"
+#include "parallel/agree.hpp"
 
 namespace pliant {
 namespace {
@@ -83,9 +83,11 @@ void write_bodies(SharedFile& file, const CheckpointDirectory& directory, const 
 }
 
 void write_file(const std::filesystem::path& path, const CheckpointHead& head, const FlowSolver& flow,
-                const std::vector<BodyBlob>& bodies) {
+                const std::vector<BodyBlob>& bodies, const std::vector<StoredTable>& more) {
   const auto& ranks = flow.grid().ranks();
-  const auto tables = flow.state_tables();
+  auto tables = flow.state_tables();
+  const std::size_t n_of_flow = tables.size();
+  for (const auto& table : more) tables.push_back(table.shape);
   // All ranks go by the root's layout, whose head alone holds the state of the outputs.
   auto directory = plan(head, tables, ranks.sum(static_cast<long>(bodies.size())), ranks.sum(total_size(bodies)));
   const auto own = directory.encode();
@@ -103,7 +105,8 @@ void write_file(const std::filesystem::path& path, const CheckpointHead& head, c
   SharedFile file(path, ranks);
   for (std::size_t t = 0; t < tables.size(); ++t) {
     std::vector<double> values(tables[t].size());
-    flow.save_table(t, values);
+    if (t < n_of_flow) flow.save_table(t, values);
+    else more[t - n_of_flow].save(values);
     write_rows(file, directory.tables[t], tables[t].first, std::as_bytes(std::span(values)));
   }
   write_bodies(file, directory, bodies, ranks);
@@ -114,12 +117,12 @@ void write_file(const std::filesystem::path& path, const CheckpointHead& head, c
 }  // namespace
 
 void write_checkpoint(const std::filesystem::path& path, const CheckpointHead& head, const FlowSolver& flow,
-                      const std::vector<BodyBlob>& bodies) {
+                      const std::vector<BodyBlob>& bodies, const std::vector<StoredTable>& more) {
   const auto& ranks = flow.grid().ranks();
   const auto temporary = temporary_name(path);
   try {
     do_on_root(ranks, [&] { std::filesystem::create_directories(path.parent_path()); });
-    write_file(temporary, head, flow, bodies);
+    write_file(temporary, head, flow, bodies, more);
     do_on_root(ranks, [&] {
       bring_to_disk(temporary);
       rename_into_place(temporary, path);

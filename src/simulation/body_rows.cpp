@@ -36,6 +36,10 @@ void add_shape(const Body& body, Row& row) {
   row.add("angle", fit.angle);
   row.add("kinetic_energy", shape.kinetic_energy);
   for (const auto& [potential, energy] : shape.energies) row.add(("energy_" + potential).c_str(), energy);
+  for (const auto& watch : body.surface.watches) {
+    row.add("watch_" + watch.name, watch.mean_of(body.surface.positions));
+    row.add("watch_" + watch.name + "_velocity", watch.mean_of(body.surface.velocities));
+  }
 }
 
 void add_motion(const Body& body, const BodyKind& kind, Row& row) {

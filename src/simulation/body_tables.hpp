@@ -21,6 +21,9 @@ class BodyTables {
 
   /// A line for every body of all ranks. Collective. Throws CollectiveError.
   void write(Moment moment, const Bodies& bodies);
+  /// The kinetic and potential energy of all copies in these lines, by kind; 0 of bodies that do not deform. On every
+  /// rank.
+  const std::vector<double>& energies() const { return energies_; }
 
   /// On the root.
   const std::vector<std::unique_ptr<CsvWriter>>& tables() const { return tables_; }
@@ -28,6 +31,8 @@ class BodyTables {
  private:
   Communicator ranks_;
   std::vector<std::size_t> widths_;  // by kind
+  std::vector<std::vector<std::size_t>> energy_columns_;
+  std::vector<double> energies_;
   std::vector<std::unique_ptr<CsvWriter>> tables_;
 };
 

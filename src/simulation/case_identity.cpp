@@ -12,8 +12,8 @@
 namespace pliant {
 namespace {
 
-constexpr std::array may_change{"title",          "output",   "checkpoint", "time.end",
-                                "time.max_steps", "time.cfl", "time.step",  "time.max_step"};
+constexpr std::array may_change{"title",          "output",   "cavity",    "checkpoint",   "time.end",
+                                "time.max_steps", "time.cfl", "time.step", "time.max_step"};
 
 bool is_in(const std::string& key, const std::string& part) {
   return key == part || key.compare(0, part.size() + 1, part + ".") == 0;

@@ -103,10 +103,11 @@ bool Checkpoints::is_due_by_clock() const {
 
 fs::path Checkpoints::last_path() const { return path_of(folder_, last_step_); }
 
-void Checkpoints::write(const CheckpointHead& head, const FlowSolver& flow, const std::vector<BodyBlob>& bodies) {
+void Checkpoints::write(const CheckpointHead& head, const FlowSolver& flow, const std::vector<BodyBlob>& bodies,
+                        const std::vector<StoredTable>& more) {
   if (!are_wanted() || head.step == last_step_) return;
   const auto begin = Clock::now();
-  write_checkpoint(path_of(folder_, head.step), head, flow, bodies);
+  write_checkpoint(path_of(folder_, head.step), head, flow, bodies, more);
   do_on_root(ranks_, [&] {
     const auto all = list(folder_);
     auto surplus = static_cast<long>(all.size()) - config_.keep;

@@ -23,7 +23,8 @@ class Checkpoints {
 
   /// Writes one, unless that of this step is there already, and then removes the oldest beyond those that stay.
   /// Collective. Throws CollectiveError; then those that were there are still there.
-  void write(const CheckpointHead& head, const FlowSolver& flow, const std::vector<BodyBlob>& bodies);
+  void write(const CheckpointHead& head, const FlowSolver& flow, const std::vector<BodyBlob>& bodies,
+             const std::vector<StoredTable>& more);
 
   /// The newest of this run, and where it is; -1 if there is none.
   long last_step() const { return last_step_; }

@@ -31,7 +31,9 @@ void remove_previous_run(const fs::path& folder) {
   remove_matching(folder / "checkpoints", std::regex("step_[0-9]{6,}\\.checkpoint(\\.tmp)?"));
   remove_matching(folder / "fields", snapshots);
   remove_matching(folder / "surfaces", snapshots);
+  remove_matching(folder / "phase_average", snapshots);
   remove_matching(folder / "bodies", tables);
+  remove_matching(folder / "cavities", tables);
   remove_matching(folder, series);
   fs::remove(folder / "history.csv");
   fs::remove(folder / "run.json");

@@ -37,13 +37,15 @@ std::vector<std::string> history_columns(const CaseConfig& config) {
 }  // namespace
 
 Outputs::Outputs(const std::filesystem::path& folder, const CaseConfig& config, const Grid& grid, const Bodies& bodies,
-                 const OutputsState* resumed)
+                 const Cavities& cavities, const OutputsState* resumed)
     : folder_(folder),
       ranks_(grid.ranks()),
       history_(config.output.history),
-      fields_due_(config.output.fields),
-      surfaces_due_(config.output.surfaces),
-      fields_(folder, grid) {
+      fields_due_(config.output.fields, config.output.period),
+      surfaces_due_(config.output.surfaces, config.output.period),
+      centered_(std::make_shared<CenteredFlow>(grid, config.boundary)),
+      with_vorticity_(config.output.fields.vorticity),
+      fields_(folder, "fields", "fields", grid) {
   for (const auto& kind : bodies.kinds()) {
     const auto& mesh = kind.prototype.mesh;
     const auto faces = mesh.vertices_of_face();
@@ -53,6 +55,12 @@ Outputs::Outputs(const std::filesystem::path& folder, const CaseConfig& config, 
   do_on_root(ranks_, [&] {
     history_table_ = make_table("history.csv", history_columns(config), resumed);
     if (bodies.count() > 0) std::filesystem::create_directories(folder / "bodies");
+    if (cavities.any()) std::filesystem::create_directories(folder / "cavities");
+    for (std::size_t n = 0; n < cavities.size(); ++n) {
+      auto columns = cavities.columns(n);
+      columns.insert(columns.begin(), {"step", "time"});
+      cavity_tables_.push_back(make_table("cavities/" + cavities.config(n).name + ".csv", std::move(columns), resumed));
+    }
     if (resumed != nullptr) resume(*resumed);
   });
   body_tables_.emplace(bodies, ranks_, [&](const std::string& file, std::vector<std::string> columns) {
@@ -85,6 +93,8 @@ OutputsState Outputs::state() const {
   if (history_table_) state.tables["history.csv"] = history_table_->size();
   for (const auto& table : body_tables_->tables())
     state.tables["bodies/" + table->path().filename().string()] = table->size();
+  for (const auto& table : cavity_tables_)
+    state.tables["cavities/" + table->path().filename().string()] = table->size();
   const auto add_series = [&](const XdmfSeries& series) {
     state.series[series.path().filename().string()] = series.size();
   };
@@ -107,11 +117,19 @@ double Outputs::next_time(double time) const {
   return std::min(fields_due_.next_time(time), surfaces_due_.next_time(time));
 }
 
-void Outputs::write_history(Moment moment, const HistoryRow& row, const Bodies& bodies) {
-  if (moment.step == last_history_) return;
+bool Outputs::write_history(Moment moment, const HistoryRow& row, const Bodies& bodies, const Cavities& cavities) {
+  if (moment.step == last_history_) return false;
   last_history_ = moment.step;
-  do_on_root(ranks_, [&] { history_table_->write_row(to_row(moment, row)); });
+  do_on_root(ranks_, [&] {
+    history_table_->write_row(to_row(moment, row));
+    for (std::size_t n = 0; n < cavity_tables_.size(); ++n) {
+      auto line = cavities.row(n);
+      line.insert(line.begin(), {static_cast<double>(moment.step), moment.time});
+      cavity_tables_[n]->write_row(line);
+    }
+  });
   body_tables_->write(moment, bodies);
+  return true;
 }
 
 bool Outputs::is_due(const Schedule& schedule, Moment moment, Urgency urgency) const {
@@ -136,7 +154,7 @@ void Outputs::write_evidence(Moment moment, const FlowSolver& flow, const Bodies
 }
 
 void Outputs::write_fields(Moment moment, const FlowSolver& flow) {
-  fields_.write(flow.state(), flow.parameters().density, moment);
+  fields_.write(flow_quantities(flow.state(), flow.parameters().density, centered_, with_vorticity_), moment);
   last_fields_ = moment.step;
 }
 

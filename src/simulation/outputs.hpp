@@ -9,6 +9,7 @@
 #include "io/field_writer.hpp"
 #include "io/surface_writer.hpp"
 #include "simulation/body_tables.hpp"
+#include "simulation/cavities.hpp"
 #include "simulation/outputs_state.hpp"
 #include "simulation/schedule.hpp"
 
@@ -35,7 +36,7 @@ class Outputs {
   /// Starts the tables, or continues the files that are there where `resumed` says how far they had grown: what came
   /// later is cut off and removed. `folder` exists and can be written.
   Outputs(const std::filesystem::path& folder, const CaseConfig& config, const Grid& grid, const Bodies& bodies,
-          const OutputsState* resumed = nullptr);
+          const Cavities& cavities, const OutputsState* resumed = nullptr);
 
   /// How far the files have grown. Not collective: what the root says counts.
   OutputsState state() const;
@@ -46,7 +47,10 @@ class Outputs {
   double next_time(double time) const;
   bool is_history_due(long step) const { return step % history_.every == 0; }
 
-  void write_history(Moment moment, const HistoryRow& row, const Bodies& bodies);
+  /// True unless the lines of this step are there already.
+  bool write_history(Moment moment, const HistoryRow& row, const Bodies& bodies, const Cavities& cavities);
+  /// See BodyTables.
+  const std::vector<double>& body_energies() const { return body_tables_->energies(); }
   /// Whether write_snapshots would write surfaces, so that their stresses are wanted.
   bool has_surfaces_due(Moment moment, Urgency urgency) const;
   /// Writes the snapshots that are due, and none twice. True if there were any.
@@ -66,10 +70,13 @@ class Outputs {
   Communicator ranks_;
   HistoryConfig history_;
   Schedule fields_due_, surfaces_due_;
+  std::shared_ptr<const CenteredFlow> centered_;
+  bool with_vorticity_;
   FieldWriter fields_;
   std::vector<SurfaceWriter> surfaces_;
   std::unique_ptr<CsvWriter> history_table_;  // on the root
   std::optional<BodyTables> body_tables_;
+  std::vector<std::unique_ptr<CsvWriter>> cavity_tables_;  // on the root
   long last_history_ = -1, last_fields_ = -1, last_surfaces_ = -1;
 };
 

@@ -19,10 +19,13 @@
 #include "io/run_report.hpp"
 #include "parallel/agree.hpp"
 #include "simulation/case_identity.hpp"
+#include "simulation/energy_record.hpp"
 #include "simulation/explain_failure.hpp"
 #include "simulation/flow_parameters.hpp"
+#include "simulation/hinge_times.hpp"
 #include "simulation/output_folder.hpp"
 #include "simulation/outputs.hpp"
+#include "simulation/phase_average.hpp"
 #include "simulation/slowest_phases.hpp"
 #include "simulation/stop_signals.hpp"
 #include "simulation/time_step.hpp"
@@ -53,6 +56,14 @@ struct GoodState {
   std::vector<BodyBlob> bodies;
 };
 
+// The fluid, and bodies that deform.
+std::vector<std::string> parts_with_energy(const Bodies& bodies) {
+  std::vector<std::string> parts{"fluid"};
+  for (const auto& kind : bodies.kinds())
+    if (!kind.has_pose()) parts.push_back("body " + kind.config.name);
+  return parts;
+}
+
 }  // namespace
 
 struct Simulation::Impl {
@@ -69,6 +80,13 @@ struct Simulation::Impl {
   void diagnose_bodies();
   int agree_on_state(const StopSignals& signals);
   void record(Record wanted);
+  void measure_cavities();
+  void note_energies(double of_fluid);
+  void observe();
+  void summarize_run();
+  Json results() const;
+  void restore_records(ByteReader& run, CheckpointReader& checkpoint);
+  std::vector<StoredTable> tables() { return phase_average ? phase_average->tables() : std::vector<StoredTable>(); }
   void write_outputs(Urgency urgency);
   bool is_at_end() const;
   [[noreturn]] void fail(int state);
@@ -94,6 +112,10 @@ struct Simulation::Impl {
   double path_rate;  // the same of prescribed motions
   std::optional<CoupledFlow> coupled;
   StrongCoupling strong;
+  Cavities cavities;
+  HingeTimes hinge_times;
+  EnergyRecord energies;
+  std::optional<PhaseAverage> phase_average;
   std::optional<Outputs> outputs;
   std::optional<RunReport> run_report;  // on the root
   Progress progress;
@@ -125,12 +147,18 @@ Simulation::Impl::Impl(const CaseConfig& case_config, const Communicator& commun
       side_rate(flow.largest_side_rate(config.time.end)),
       path_rate(largest_path_rate(bodies, config.time.end)),
       strong(ranks, config.coupling),
+      cavities(config, bodies, grid),
+      hinge_times(bodies, config.output.period),
+      energies(parts_with_energy(bodies)),
       progress(log, ranks.is_root() ? options.progress : ProgressStyle::silent,
                {config.time.end, config.time.max_steps.value_or(-1),
                 static_cast<double>(config.box.cells[0]) * config.box.cells[1] * config.box.cells[2]}),
       checkpoints(options.output, config.checkpoint, ranks),
       wall_clock(options.wall_clock, start),
       case_text(case_identity(config).dump(-1, ' ', false, Json::error_handler_t::replace)) {
+  if (const auto& average = config.output.phase_average)
+    phase_average.emplace(*average, *config.output.period, config.output.fields.vorticity, grid, config.boundary,
+                          config.fluid.density);
   if (options.restart) begin_from_checkpoint();
   else begin_anew();
   report("running");
@@ -141,7 +169,7 @@ void Simulation::Impl::begin_anew() {
   set_initial_flow(flow, config.initial);
   coupled.emplace(config, flow, bodies, RunStart::anew);
   prepare_output_folder(options.output, ranks, EarlierOutputs::removed);
-  outputs.emplace(options.output, config, grid, bodies);
+  outputs.emplace(options.output, config, grid, bodies, cavities);
   do_on_root(ranks, [&] { run_report.emplace(options.output / "run.json", config, ranks); });
 }
 
@@ -159,15 +187,16 @@ void Simulation::Impl::begin_from_checkpoint() {
     run.read(dt);
     run.read(last_cfl);
     const auto strong_state = run.read_vector<double>();
-    run.expect_end();
     strong.restore(strong_state);
     bodies.follow_schedules(saved.time - 0.5 * dt);
     coupled.emplace(config, flow, bodies, RunStart::continued);
     now = {saved.step, saved.time};
+    restore_records(run, *checkpoint.reader);
+    run.expect_end();
     if (!goes_on) require_unused(options.output, checkpoint.file, ranks);
     prepare_output_folder(options.output, ranks, goes_on ? EarlierOutputs::continued : EarlierOutputs::removed);
     const auto grown = OutputsState::decode(saved.outputs);
-    outputs.emplace(options.output, config, grid, bodies, goes_on ? &grown : nullptr);
+    outputs.emplace(options.output, config, grid, bodies, cavities, goes_on ? &grown : nullptr);
   } catch (const CheckpointRefused& refused) {
     throw InputError(fmt::format("{} {}", checkpoint.file.string(), refused.what()));
   } catch (const ByteStreamError& error) {
@@ -189,12 +218,26 @@ void Simulation::Impl::begin_from_checkpoint() {
   log.info("continuing from {}: step {}, t = {:.6g}", checkpoint.file.string(), now.step, now.time);
 }
 
+// What the run has found out so far.
+void Simulation::Impl::restore_records(ByteReader& run, CheckpointReader& checkpoint) {
+  cavities.read(run);
+  hinge_times.read(run);
+  energies.read(run);
+  const auto averaged = run.read_vector<std::byte>();
+  if (!phase_average) return;
+  phase_average->begin_at(now.time);
+  if (averaged.empty()) return;
+  ByteReader average(averaged);
+  if (phase_average->read(average)) checkpoint.restore(phase_average->tables());
+  else log.warn("output.phase_average has changed since the checkpoint: averages begin anew");
+}
+
 RunResult Simulation::Impl::run(const Simulation& self, const Observer& observer) {
   StopSignals signals;
   try {
     const auto result = loop(self, observer, signals);
     progress.finish();
-    for (const auto& line : summarize(bodies)) log.info("{}", line);
+    summarize_run();
     if (result.end == RunEnd::signal) {
       report(fmt::format("stopped by signal {}", result.signal));
       log.info("stopped by signal {} at step {}, t = {:.6g}; the outputs up to here are in {}", result.signal,
@@ -232,6 +275,7 @@ RunResult Simulation::Impl::loop(const Simulation& self, const Observer& observe
   introduce();
   record(Record::shown);
   write_outputs(Urgency::scheduled);
+  hinge_times.observe(now.time, bodies);
   if (observer) observer(self);
   int state = 0;
   keep_good_state();
@@ -242,6 +286,7 @@ RunResult Simulation::Impl::loop(const Simulation& self, const Observer& observe
 
     state = agree_on_state(signals);
     if (state >= body_failed) fail(state);
+    observe();
     const bool is_going_on = state < stop_by_clock;
     record(is_going_on && (state & show_progress) != 0 ? Record::shown : Record::scheduled);
     write_outputs(Urgency::scheduled);
@@ -254,6 +299,7 @@ RunResult Simulation::Impl::loop(const Simulation& self, const Observer& observe
   write_checkpoint();
   record(Record::last);
   write_outputs(Urgency::last);
+  if (phase_average) phase_average->write_files(options.output);
 
   RunResult result{RunEnd::end_time, 0, now.step, now.time};
   if (state >= stop_by_signal) {
@@ -368,10 +414,50 @@ void Simulation::Impl::record(Record wanted) {
     row.coupling_iterations = iterations;
     diagnose_bodies();
     for (const auto& patch : flow.patch_flow_rates()) row.patch_flow_rates.push_back(patch.value);
-    outputs->write_history(now, row, bodies);
+    measure_cavities();
+    if (outputs->write_history(now, row, bodies, cavities)) note_energies(row.kinetic_energy * grid.volume());
   }
   if (shown && now.step != last_shown) progress.show({now.step, now.time, dt, row.cfl, row.divergence});
   if (shown) last_shown = now.step;
+}
+
+void Simulation::Impl::measure_cavities() {
+  if (!cavities.any()) return;
+  cavities.measure(now.time, flow, bodies);
+  for (const auto& line : cavities.take_news()) {
+    progress.finish();
+    log.info("{}", line);
+  }
+}
+
+void Simulation::Impl::note_energies(double of_fluid) {
+  std::vector<double> all{of_fluid};
+  for (std::size_t k = 0; k < bodies.kinds().size(); ++k)
+    if (!bodies.kinds()[k].has_pose()) all.push_back(outputs->body_energies()[k]);
+  if (all.size() > 1) energies.note(all);
+}
+
+// After every step.
+void Simulation::Impl::observe() {
+  hinge_times.observe(now.time, bodies);
+  if (!phase_average || !phase_average->is_due(now.step)) return;
+  const auto scope = timer.measure("phase averages");
+  phase_average->add(now.time, flow.state());
+}
+
+void Simulation::Impl::summarize_run() {
+  for (const auto& line : summarize(bodies)) log.info("{}", line);
+  if (const auto line = energies.describe(); !line.empty()) log.info("{}", line);
+  for (const auto& line : cavities.describe_unfinished()) log.info("{}", line);
+  for (const auto& line : hinge_times.describe()) log.info("{}", line);
+}
+
+Json Simulation::Impl::results() const {
+  auto all = Json::object();
+  if (cavities.any()) all["cavities"] = cavities.results();
+  if (hinge_times.any()) all["hinges"] = hinge_times.results();
+  if (auto found = energies.results(); !found.empty()) all["energy"] = std::move(found);
+  return all;
 }
 
 void Simulation::Impl::write_outputs(Urgency urgency) {
@@ -405,6 +491,12 @@ CheckpointHead Simulation::Impl::head() const {
   run.write(dt);
   run.write(last_cfl);
   run.write(strong.state());
+  cavities.write(run);
+  hinge_times.write(run);
+  energies.write(run);
+  ByteWriter average;
+  if (phase_average) phase_average->write(average);
+  run.write(average.bytes());
   head.run = run.take();
   head.flow = flow.state_numbers();
   head.outputs = outputs->state().encode();
@@ -416,7 +508,7 @@ void Simulation::Impl::write_checkpoint() {
   const auto scope = timer.measure("checkpoints");
   is_checkpoint_failing = true;
   do_on_root(ranks, [&] { outputs->bring_to_disk(); });
-  checkpoints.write(head(), flow, bodies.save());
+  checkpoints.write(head(), flow, bodies.save(), tables());
   is_checkpoint_failing = false;
 }
 
@@ -427,6 +519,7 @@ void Simulation::Impl::keep_good_state() {
   good_state->head = head();
   flow.save_state(good_state->flow);
   good_state->bodies = bodies.save();
+  if (phase_average) phase_average->keep();
 }
 
 // For a run that fails: the last state known to be good. Says where it is, or why it is nowhere.
@@ -437,7 +530,8 @@ std::string Simulation::Impl::write_good_state() {
   if (checkpoints.last_step() < good.head.step) {
     try {
       flow.restore_state(good.flow);
-      checkpoints.write(good.head, flow, good.bodies);
+      if (phase_average) phase_average->roll_back();
+      checkpoints.write(good.head, flow, good.bodies, tables());
     } catch (const CollectiveError& error) { problem = error.what(); }
   }
   if (checkpoints.last_step() < 0) return fmt::format("No checkpoint could be written: {}", problem);
@@ -447,7 +541,10 @@ std::string Simulation::Impl::write_good_state() {
 void Simulation::Impl::report(const std::string& status) {
   const auto phases = slowest_phases();
   const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  do_on_root(ranks, [&] { run_report->write({status, now.step, now.time, wall, phases}); });
+  do_on_root(ranks, [&] {
+    run_report->set_results(results());
+    run_report->write({status, now.step, now.time, wall, phases});
+  });
 }
 
 PhaseTimer::Seconds Simulation::Impl::slowest_phases() {

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,19 @@
 #include "structure/quaternion.hpp"
 
 namespace pliant {
+
+/// Vertices that the body's table follows.
+struct Watch {
+  std::string name;
+  std::vector<int> vertices;
+
+  /// Of the positions or the velocities.
+  Vec3 mean_of(std::span<const Vec3> of_vertices) const {
+    Vec3 sum;
+    for (int v : vertices) sum += of_vertices[static_cast<std::size_t>(v)];
+    return sum / static_cast<double>(vertices.size());
+  }
+};
 
 /// A body whose vertices move by Newton's law under potentials and loads; the same on every rank.
 /// Arrays hold one entry a vertex. A fixed body is one that is never advanced.
@@ -26,8 +40,9 @@ struct DeformableBody {
   double radius = 0;                    ///< of the sphere of the same volume at the start
   PotentialSet potentials;
   std::vector<std::uint8_t> pinned;  ///< 1: the vertex stays where it is; empty: none does
-  Attachments attachments;           ///< tethers, cords and pulls, in the coordinates of the surface
-  Vec3 origin;                       ///< where the origin of these coordinates is, and how they are turned
+  std::vector<Watch> watches;
+  Attachments attachments;  ///< tethers, cords and pulls, in the coordinates of the surface
+  Vec3 origin;              ///< where the origin of these coordinates is, and how they are turned
   Quaternion orientation;
   bool is_interface = false;        ///< of two liquids: its vertices are no material (interface_mesh.hpp)
   double damping = 0;               ///< force = -damping * velocity, on every vertex

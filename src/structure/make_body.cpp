@@ -60,6 +60,11 @@ void pin(const BodyConfig& config, DeformableBody& body) {
     for (int v : select_vertices(config, name, body.mesh, body.positions)) body.pinned[v] = 1;
 }
 
+void watch(const BodyConfig& config, DeformableBody& body) {
+  for (const auto& name : config.watch)
+    body.watches.push_back({name, select_vertices(config, name, body.mesh, body.positions)});
+}
+
 std::vector<Cord> make_cords(const BodyConfig& config, const CordConfig& given, const DeformableBody& body) {
   const auto from = select_vertices(config, given.from, body.mesh, body.positions);
   const auto to = given.to.empty() ? std::vector<int>{} : select_vertices(config, given.to, body.mesh, body.positions);
@@ -198,6 +203,7 @@ DeformableBody make_body(const BodyConfig& config, Surface surface, double mean_
   body.mesh = std::move(surface.mesh);
   if (body.motion != MotionKind::deformable) return body;
   pin(config, body);
+  watch(config, body);
   body.attachments = make_attachments(config, body);
   body.is_interface = is_interface(config, body);
   find_rates(body);

@@ -17,3 +17,5 @@ pliant_test(coupling_interface_test SOURCES ${CMAKE_CURRENT_LIST_DIR}/interface_
 target_include_directories(coupling_interface_test PRIVATE ${CMAKE_SOURCE_DIR}/tests)
 pliant_test(coupling_schedule_test SOURCES ${CMAKE_CURRENT_LIST_DIR}/schedule_test.cpp LIBS pliant_simulation RANKS 1 3)
 pliant_test(coupling_scales_test SOURCES ${CMAKE_CURRENT_LIST_DIR}/scales_test.cpp LIBS pliant_simulation RANKS 1 2)
+pliant_test(coupling_wall_shear_test SOURCES ${CMAKE_CURRENT_LIST_DIR}/wall_shear_test.cpp LIBS pliant_simulation
+  RANKS 1 2 3 4)

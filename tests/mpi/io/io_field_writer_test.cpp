@@ -55,14 +55,18 @@ FlowState linear_state(const Grid& grid) {
   return state;
 }
 
+std::vector<CellQuantity> snapshot(const FlowState& state, const Grid& grid, double density) {
+  return flow_quantities(state, density, std::make_shared<CenteredFlow>(grid, BoundaryConfig{}), false);
+}
+
 TEST(FieldWriter, StoresTheCentredFlowAtItsPlace) {
   const SharedFolder owner;
   const auto& folder = owner.path();
   const auto grid = test_grid({5, 4, 7});
-  FieldWriter writer(folder, grid, Precision::full);
+  FieldWriter writer(folder, "fields", "fields", grid, Precision::full);
   const auto state = linear_state(grid);
-  writer.write(state, 2.0, {0, 0.0});
-  writer.write(state, 2.0, {12, 0.25});
+  writer.write(snapshot(state, grid, 2.0), {0, 0.0});
+  writer.write(snapshot(state, grid, 2.0), {12, 0.25});
   if (!grid.ranks().is_root()) return;
 
   const auto file = folder / "fields/fields_000012.h5";
@@ -95,9 +99,9 @@ TEST(FieldWriter, TellsAllRanksOfAFileThatCannotBeWritten) {
   const SharedFolder owner;
   const auto& folder = owner.path();
   const auto grid = test_grid({32, 32, 32});
-  FieldWriter writer(folder, grid, Precision::full);
+  FieldWriter writer(folder, "fields", "fields", grid, Precision::full);
   const auto state = linear_state(grid);
-  writer.write(state, 1.0, {0, 0.0});
+  writer.write(snapshot(state, grid, 1.0), {0, 0.0});
 
   // A limit on the size of files behaves as a full disk does: some writes succeed, then one fails.
   std::signal(SIGXFSZ, SIG_IGN);
@@ -106,7 +110,7 @@ TEST(FieldWriter, TellsAllRanksOfAFileThatCannotBeWritten) {
   rlimit tight = before;
   tight.rlim_cur = 400 * 1024;
   ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &tight), 0);
-  EXPECT_THROW(writer.write(state, 1.0, {1, 0.1}), CollectiveError);
+  EXPECT_THROW(writer.write(snapshot(state, grid, 1.0), {1, 0.1}), CollectiveError);
   ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &before), 0);
 
   // What was there is whole, nothing half-written is left, and writing works again once there is space.
@@ -117,7 +121,7 @@ TEST(FieldWriter, TellsAllRanksOfAFileThatCannotBeWritten) {
     EXPECT_EQ(read(folder / "fields/fields_000000.h5", "pressure", shape).size(), 32u * 32 * 32);
     EXPECT_EQ(text_of(folder / "fields.xdmf").find("fields_000001"), std::string::npos);
   }
-  writer.write(state, 1.0, {2, 0.2});
+  writer.write(snapshot(state, grid, 1.0), {2, 0.2});
 }
 
 TEST(FieldWriter, NamesAFolderThatCannotBe) {
@@ -126,9 +130,10 @@ TEST(FieldWriter, NamesAFolderThatCannotBe) {
   if (Communicator().is_root()) std::ofstream(folder / "fields") << "a file where a folder should be\n";
   Communicator().barrier();
   const auto grid = test_grid({4, 4, 4});
-  FieldWriter writer(folder, grid);
+  FieldWriter writer(folder, "fields", "fields", grid);
   try {
-    writer.write(linear_state(grid), 1.0, {0, 0.0});
+    const auto state = linear_state(grid);
+    writer.write(snapshot(state, grid, 1.0), {0, 0.0});
     FAIL() << "must throw";
   } catch (const CollectiveError& error) { EXPECT_NE(std::string(error.what()).find("fields"), std::string::npos); }
 }

@@ -26,6 +26,7 @@ young = 100
 fibre = [1, 0, 0]
 young_across = 50
 pinned = ["pole", "tip"]
+watch = ["ends"]
 inner_damping = 0.5
 potentials = { membrane = { law = "skalak", shear = 3, ratio = 10 }, pressure = { value = 2 } }
 [body.selection.pole]
@@ -61,6 +62,7 @@ TEST(StructureKeys, AreRead) {
   EXPECT_EQ(body.inner_damping, 0.5);
   EXPECT_FALSE(body.mass_per_vertex);
   EXPECT_THAT(body.pinned, ElementsAre("pole", "tip"));
+  EXPECT_THAT(body.watch, ElementsAre("ends"));
   EXPECT_EQ(body.potentials.membrane->law, MembraneLaw::skalak);
   EXPECT_EQ(body.potentials.membrane->ratio, 10);
   EXPECT_EQ(body.potentials.pressure->value, 2);

@@ -96,7 +96,7 @@ TEST(StepTowards, KeepsAGivenStepToTheBit) {
 }
 
 TEST(Schedule, ComesBackAtMultiplesOfTheInterval) {
-  Schedule schedule(SeriesConfig{0.1, {}});
+  Schedule schedule(SeriesConfig{0.1, {}, {}});
   double time = 0;
   for (int n = 1; n <= 1000; ++n) {
     const double next = schedule.next_time(time);
@@ -108,7 +108,7 @@ TEST(Schedule, ComesBackAtMultiplesOfTheInterval) {
 }
 
 TEST(Schedule, ComesBackAfterANumberOfSteps) {
-  Schedule schedule(SeriesConfig{{}, 5});
+  Schedule schedule(SeriesConfig{{}, 5, {}});
   EXPECT_EQ(schedule.next_time(1), no_limit);
   EXPECT_TRUE(schedule.is_due(0, 0));
   EXPECT_FALSE(schedule.is_due(4, 0.4));
@@ -120,6 +120,24 @@ TEST(Progress, CountsTimeAsPeopleDo) {
   EXPECT_EQ(format_duration(65.4), "1:05");
   EXPECT_EQ(format_duration(3723), "1:02:03");
   EXPECT_EQ(format_duration(HUGE_VAL), "--:--");
+}
+
+TEST(Schedule, GoesByPhases) {
+  const double period = 28.8;
+  Schedule schedule(SeriesConfig{{}, {}, {0.3, 0}}, period);
+  EXPECT_TRUE(schedule.is_due(0, 0));
+  EXPECT_FALSE(Schedule(SeriesConfig{{}, {}, {0.3}}, period).is_due(0, 0)) << "the start is no wanted phase";
+  double time = 0;
+  for (int n = 1; n <= 2000; ++n) {
+    time = schedule.next_time(time);
+    EXPECT_DOUBLE_EQ(time, period * (n / 2 + (n % 2 == 1 ? 0.3 : 0)));
+    EXPECT_TRUE(schedule.is_due(n, time));
+    EXPECT_FALSE(schedule.is_due(n, time + 1e-6));
+  }
+  Schedule both(SeriesConfig{10.0, {}, {0.3}}, period);
+  EXPECT_DOUBLE_EQ(both.next_time(0), 0.3 * period);
+  EXPECT_DOUBLE_EQ(both.next_time(0.3 * period), 10);
+  EXPECT_TRUE(both.is_due(0, 0));
 }
 
 }  // namespace

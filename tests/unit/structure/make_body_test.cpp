@@ -55,6 +55,29 @@ TEST(MakeBody, MakesThePotentialsOfTheConfiguration) {
   EXPECT_GT(body.largest_frequency, 0);
 }
 
+TEST(MakeBody, WatchesTheMeanOfASelection) {
+  auto config = drop();
+  SelectionConfig upper;
+  upper.name = "upper";
+  upper.plane =
+      SelectionConfig::Plane{.point = {0, 0, 3}, .normal = {0, 0, 1}, .side = PlaneSide::beyond, .tolerance = {}};
+  config.selections = {upper};
+  config.watch = {"upper"};
+  auto body = body_of(config);
+  ASSERT_EQ(body.watches.size(), 1u);
+  EXPECT_EQ(body.watches[0].name, "upper");
+  Vec3 sum;
+  int count = 0;
+  for (const Vec3& x : body.positions)
+    if (x.z > 3 - 1e-9) sum += x, ++count;
+  EXPECT_EQ(static_cast<int>(body.watches[0].vertices.size()), count);
+  EXPECT_LT(norm(body.watches[0].mean_of(body.positions) - sum / count), 1e-13);
+  // In a rigid rotation about the origin the mean velocity is that of the mean position.
+  const Vec3 omega{1, -2, 3};
+  for (std::size_t v = 0; v < body.positions.size(); ++v) body.velocities[v] = cross(omega, body.positions[v]);
+  EXPECT_LT(norm(body.watches[0].mean_of(body.velocities) - cross(omega, sum / count)), 1e-12);
+}
+
 TEST(MakeBody, RefusesStiffnessesBeyondNumbers) {
   auto config = drop();
   config.potentials.edge = EdgeConfig{1e308, 0.0};
