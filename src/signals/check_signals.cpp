@@ -28,7 +28,7 @@ class SignalValidator {
         if (!patch.balance && !patch.flow_rate.empty()) check_patch(patch_key(side, patch), patch);
     }
     for (const auto& cavity : config_.cavities)
-      if (!cavity.flow.empty()) check_use("cavity." + cavity.name + ".flow", cavity.flow);
+      if (!cavity.flow.empty()) check_use("cavity." + cavity.name + ".flow", cavity.flow, {3, -1, 0});
     for (const auto& body : config_.bodies)
       if (body.motion == MotionKind::prescribed && !body.name.empty())
         check_path("body." + body.name + ".path.", body.path);
