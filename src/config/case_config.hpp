@@ -398,6 +398,7 @@ struct BodyConfig {
   MotionKind motion = MotionKind::deformable;
   CouplingKind coupling = CouplingKind::automatic;
   PathConfig path;
+  bool contact = true;                      ///< takes part in repulsion
   std::optional<ScheduleConfig> schedule;  ///< none: it always acts
   MaterialConfig material;
   RigidConfig rigid;

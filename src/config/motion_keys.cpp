@@ -146,6 +146,10 @@ void add_motion_keys(std::vector<BodyKey>& keys) {
   keys.push_back(when_material(make_key<BodyConfig>(
       {"loads", "", "what moves the body: the momentum balance of its forcing, or the stress at its probes (traction)"},
       [](auto& b) { return &b.loads; })));
+  keys.push_back(make_key<BodyConfig>(
+      {"contact", "",
+       "false: the body takes no part in the repulsion of bodies, walls and itself; for bodies that are joined"},
+      [](auto& b) { return &b.contact; }));
   keys.push_back(only_when<BodyConfig>(
       make_key<BodyConfig>(
           {"marker_refinement", "",

@@ -40,6 +40,8 @@ class Bodies {
   /// ranks.
   bool is_on(std::size_t kind) const { return is_on_[kind]; }
   bool is_on(const Body& body) const { return is_on_[body.kind]; }
+  /// Whether bodies that come near are pushed off by it, and it by them and by itself.
+  bool touches_others(const Body& body) const { return is_on(body) && kind_of(body).config.contact; }
   /// The present step is one with its middle at this time. Returns the kinds that have come or gone; those that have
   /// gone have no loads any more. Begins at time 0.
   std::vector<std::size_t> follow_schedules(double time);

@@ -32,7 +32,7 @@ void Contact::find(Bodies& bodies) const {
   std::vector<Vec3> positions;
   std::vector<double> numbers;  // area and body of every vertex
   for (const Body& body : bodies.own()) {
-    if (!bodies.kind_of(body).has_pose() || !bodies.is_on(body)) continue;
+    if (!bodies.kind_of(body).has_pose() || !bodies.touches_others(body)) continue;
     const auto areas = vertex_areas(body.surface.mesh, body.surface.positions);
     for (std::size_t v = 0; v < areas.size(); ++v) {
       positions.push_back(body.surface.positions[v]);
@@ -66,7 +66,7 @@ void Contact::find(Bodies& bodies) const {
 
   std::size_t at = 0;
   for (Body& body : bodies.own()) {
-    if (!bodies.kind_of(body).has_pose() || !bodies.is_on(body)) continue;
+    if (!bodies.kind_of(body).has_pose() || !bodies.touches_others(body)) continue;
     const std::size_t n = body.surface.positions.size();
     body.loads.contact =
         body.loads.pressed + total_load(body.surface.positions, std::span(forces).subspan(at, n), body.pose.center);
@@ -80,7 +80,7 @@ void Contact::begin(const Bodies& bodies, double step, PosedBodies posed) {
   std::erase_if(contacts_, [&](const auto& entry) { return bodies.find(entry.first) == nullptr; });
   for (std::size_t b = 0; b < obstacles.size(); ++b) {
     const Body& body = bodies.own()[b];
-    if (bodies.kind_of(body).has_pose()) continue;
+    if (bodies.kind_of(body).has_pose() || !bodies.touches_others(body)) continue;
     contacts_.try_emplace(body.id, law_, box_).first->second.begin(body.surface, std::move(obstacles[b]), step);
   }
 }
@@ -111,6 +111,7 @@ void Contact::end(Bodies& bodies, double step) {
     // What others say they did to it, against what it took itself: each side gives way by half, as a whole. Vertex by
     // vertex the two differ by what is fast in either body, which must not drive the other.
     const auto* contact = of(body);
+    if (contact == nullptr) continue;
     const auto taken = contact->impulses_of_yielding();
     const auto masses = contact->masses();
     const auto resistances = contact->resistances();

@@ -127,7 +127,7 @@ std::vector<std::vector<NearBodies::Wish>> NearBodies::introduce(const Bodies& b
   auto outbox = outbox_for(ranks);
   for (std::size_t b = 0; b < starts.size(); ++b) {
     const Body& body = bodies.own()[b];
-    if (!bodies.is_on(body)) continue;
+    if (!bodies.touches_others(body)) continue;
     const Box& box = starts[b].box;
     const Card card{body.id, ranks.rank(), !bodies.kind_of(body).has_pose(), box};
     for (const int r : ranks_between(grid_, box.lower.z, box.upper.z)) outbox[static_cast<std::size_t>(r)].write(card);
