@@ -91,14 +91,14 @@ def main():
         for column, angle in ((2, 25), (3, 85)):
             parts = [(mechanical[angle], (0, 0, 0), blue, 1), (ring, (0, 0, -0.06), wall, 0.25)]
             kind = "closed" if angle == 25 else "open"
-            draw(figure.add_subplot(2, 4, column, projection="3d"), parts, f"valve-bileaflet, {angle} degrees ({kind})", (24, -65), 1.6)
+            draw(figure.add_subplot(2, 4, column, projection="3d"), parts, f"valve-bileaflet, {kind} ({angle} degrees)", (24, -65), 1.6)
         draw(figure.add_subplot(2, 4, 4, projection="3d"), [(mechanical[25], (0, 0, 0), blue, 1), (ring, (0, 0, -0.06), wall, 0.25)],
              "closed, along the channel", (90, -90), 1.5)
         for column, opening in ((6, 0.02), (7, 0.4)):
             kind = "nearly closed" if opening < 0.1 else "open"
             draw(figure.add_subplot(2, 4, column, projection="3d"), [(natural[opening], (0, 0, 0), red, 1)],
-                 f"natural-valve, opening {opening} ({kind})", (-28, -35), 1.6)
-        draw(figure.add_subplot(2, 4, 8, projection="3d"), [(natural[0.2], (0, 0, 0), red, 1)], "opening 0.2, from below",
+                 f"natural-valve, {kind}", (-28, -35), 1.6)
+        draw(figure.add_subplot(2, 4, 8, projection="3d"), [(natural[0.2], (0, 0, 0), red, 1)], "at rest (opening 0.2), from below",
              (-90, -90), 1.5)
         figure.subplots_adjust(left=0, right=1, bottom=0.01, top=0.95, wspace=0, hspace=0.08)
         figure.savefig(PICTURE, dpi=110)

@@ -106,8 +106,8 @@ void check_copies(const CaseConfig& config, const Grid& grid, std::size_t index,
 }
 
 /// Writes the faces of overlaps beside the working folder's other files; what to tell of it.
-std::string write_picture(const CaseArguments& arguments, SurfaceData picture, bool writes) {
-  const auto path = std::filesystem::path(arguments.path).stem().string() + "-overlaps.ply";
+std::string write_picture(const CaseConfig& config, SurfaceData picture, bool writes) {
+  const auto path = std::filesystem::path(config.file).stem().string() + "-overlaps.ply";
   const auto n_faces = picture.faces.size();
   try {
     if (writes) {
@@ -121,14 +121,14 @@ std::string write_picture(const CaseArguments& arguments, SurfaceData picture, b
                      path);
 }
 
-void check_bodies(const CaseConfig& config, const CaseArguments& arguments, bool writes) {
+void check_bodies(const CaseConfig& config, bool writes) {
   const auto placed = place_bodies(config);
   const Grid grid(config.box, config.boundary, Communicator(MPI_COMM_SELF));
   std::vector<std::string> problems;
   for (std::size_t b = 0; b < placed.size(); ++b) check_copies(config, grid, b, placed[b], problems);
   SurfaceData picture;
   for (auto& problem : find_overlaps(config, placed, 20, &picture)) problems.push_back(std::move(problem));
-  if (!picture.faces.empty()) problems.push_back(write_picture(arguments, std::move(picture), writes));
+  if (!picture.faces.empty()) problems.push_back(write_picture(config, std::move(picture), writes));
   if (!problems.empty()) throw InputError(std::move(problems));
 }
 }  // namespace
@@ -137,7 +137,7 @@ namespace {
 /// `writes`: this rank may write a file that shows what is wrong.
 CaseConfig load_and_check(const CaseArguments& arguments, int ranks, bool writes) {
   const auto config = read_case(arguments.path, arguments.overrides, ranks, check_signals);
-  check_bodies(config, arguments, writes);
+  check_bodies(config, writes);
   return config;
 }
 }  // namespace
