@@ -10,6 +10,7 @@
 #include "core/error.hpp"
 #include "grid/grid.hpp"
 #include "mesh/geometry.hpp"
+#include "mesh/read_surface.hpp"
 #include "parallel/agree.hpp"
 #include "signals/make_signal.hpp"
 #include "simulation/ejection.hpp"
@@ -105,29 +106,52 @@ void check_copies(const CaseConfig& config, const Grid& grid, std::size_t index,
   }
 }
 
+/// Writes the faces of overlaps beside the working folder's other files; what to tell of it.
+std::string write_picture(const CaseConfig& config, SurfaceData picture, bool writes) {
+  const auto path = std::filesystem::path(config.file).stem().string() + "-overlaps.ply";
+  const auto n_faces = picture.faces.size();
+  try {
+    if (writes) {
+      const int n_vertices = static_cast<int>(picture.positions.size());
+      write_surface(path, {TriangleMesh(n_vertices, std::move(picture.faces)), std::move(picture.positions)});
+    }
+  } catch (const std::exception& error) {
+    return fmt::format("a picture of these overlaps could not be written: {}", error.what());
+  }
+  return fmt::format("the {} faces that overlap are in {}; open it in ParaView, together with the surfaces", n_faces,
+                     path);
+}
+
 /// The scales that ejection fractions ask for are set on the way.
-void check_bodies(CaseConfig& config) {
+void check_bodies(CaseConfig& config, bool writes) {
   const auto placed = place_bodies(config);
   const Grid grid(config.box, config.boundary, Communicator(MPI_COMM_SELF));
   std::vector<std::string> problems;
   for (std::size_t b = 0; b < placed.size(); ++b) check_copies(config, grid, b, placed[b], problems);
-  for (auto& problem : find_overlaps(config, placed)) problems.push_back(std::move(problem));
+  SurfaceData picture;
+  for (auto& problem : find_overlaps(config, placed, 20, &picture)) problems.push_back(std::move(problem));
+  if (!picture.faces.empty()) problems.push_back(write_picture(config, std::move(picture), writes));
   if (!problems.empty()) throw InputError(std::move(problems));
   set_ejection_scales(config, placed);
 }
 }  // namespace
 
-CaseConfig load_case(const CaseArguments& arguments, int ranks) {
+namespace {
+/// `writes`: this rank may write a file that shows what is wrong.
+CaseConfig load_and_check(const CaseArguments& arguments, int ranks, bool writes) {
   auto config = read_case(arguments.path, arguments.overrides, ranks, check_signals);
-  check_bodies(config);
+  check_bodies(config, writes);
   return config;
 }
+}  // namespace
+
+CaseConfig load_case(const CaseArguments& arguments, int ranks) { return load_and_check(arguments, ranks, true); }
 
 CaseConfig load_case(const CaseArguments& arguments, const Communicator& ranks) {
   std::optional<CaseConfig> config;
   std::optional<InputError> error;
   try {
-    config = load_case(arguments, ranks.size());
+    config = load_and_check(arguments, ranks.size(), ranks.is_root());
   } catch (const InputError& found) { error = found; }
   const int failed = ranks.max(error ? 1 : 0);
   const bool alike = failed == 0 || -ranks.max(error ? -1 : 0) == 1;

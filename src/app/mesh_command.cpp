@@ -19,6 +19,7 @@
 #include "mesh/shapes/plate_with_holes.hpp"
 #include "mesh/shapes/red_cell.hpp"
 #include "mesh/shapes/ventricle.hpp"
+#include "remesh/remesh.hpp"
 
 namespace pliant {
 namespace {
@@ -33,6 +34,7 @@ struct MeshArguments {
   double angle = 0;
   NaturalValveSizes natural;
   std::string leaflet = "both";
+  RemeshOptions remesh;
   std::string input, output;
 };
 
@@ -40,6 +42,12 @@ void write_and_tell(const std::string& path, const Surface& surface) {
   write_surface(path, surface);
   fmt::print("{}: {} vertices, {} edges, {} faces\n", path, surface.mesh.n_vertices(), surface.mesh.n_edges(),
              surface.mesh.n_faces());
+  if (surface.selections.empty()) return;
+  std::string names;
+  for (const auto& [name, vertices] : surface.selections)
+    names += fmt::format("{}{} ({})", names.empty() ? "" : ", ", name, vertices.size());
+  const bool kept = std::filesystem::path(path).extension() == ".gts";
+  fmt::print("selections: {}{}\n", names, kept ? "" : "; this format has no place for them, .gts has");
 }
 
 MechanicalLeafletSizes mechanical_sizes(const MeshArguments& a) {
@@ -219,6 +227,31 @@ void add_mesh_command(CLI::App& app, Action& action) {
   info->add_option("FILE", arguments->input, "The surface")->required();
   info->callback([arguments, &action] {
     action = on_root([arguments] { fmt::print("{}", format(describe(read_surface(arguments->input)))); });
+  });
+
+  auto* evened = command->add_subcommand("remesh", "Mend a surface, such as a raw scan, and mesh it evenly");
+  evened->add_option("FROM", arguments->input, "The surface to read")->required();
+  evened->add_option("TO", arguments->output, "The file to write: .gts, .stl, .obj or .ply")->required();
+  evened->add_option("--edge", arguments->remesh.edge, "About how long the edges of the faces are")->required();
+  evened->add_option("--fill-holes", arguments->remesh.fill_holes, "Fill holes whose borders are no longer than this");
+  evened->add_option("--sharp-angle", arguments->remesh.sharp_angle, "Degrees from which an edge between faces is kept")
+      ->capture_default_str();
+  evened->callback([arguments, &action] {
+    action = on_root([arguments] {
+      const auto [surface, mended] = remesh(read_surface_data(arguments->input), arguments->remesh);
+      for (const auto& what : mended) fmt::print("{}\n", what);
+      if (mended.empty()) fmt::print("nothing had to be mended\n");
+      write_and_tell(arguments->output, surface);
+      const auto report = describe(surface);
+      fmt::print("edges {:.4g} to {:.4g}, mean {:.4g}; angles from {:.1f} to {:.1f} degrees\n", report.edge_min,
+                 report.edge_max, report.edge_mean, report.angle_min, report.angle_max);
+      constexpr double sharp = 15;
+      if (report.angle_min < sharp)
+        fmt::print(
+            "warning: angles are below {} degrees; edges that are kept as sharp (--sharp-angle, now {}) may force "
+            "them, where crossings were mended above all\n",
+            sharp, arguments->remesh.sharp_angle);
+    });
   });
 
   auto* convert = command->add_subcommand("convert", "Write a surface in another format");

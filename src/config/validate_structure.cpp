@@ -89,6 +89,12 @@ class StructureValidator : private BodyValidator {
       if (selection.name == name) return;
       known += (known.empty() ? "\"" : ", \"") + selection.name + "\"";
     }
+    // A file's own selections are known once it is read.
+    if (!trusted({"surface.shape", "surface.file"}) || std::holds_alternative<FileSurface>(body.surface)) return;
+    for (const auto& brought : selections_of_shape(body.surface)) {
+      if (brought == name) return;
+      known += (known.empty() ? "\"" : ", \"") + brought + "\"";
+    }
     complain(key, fmt::format("names \"{}\", which is no selection of the body; it has {}", name,
                               known.empty() ? "none: write [body.selection." + name + "]" : known));
   }

@@ -225,7 +225,7 @@ Surface make_surface(SurfaceData data, Closure closure) {
   auto problems = find_mesh_problems(data, closure);
   if (!problems.empty()) throw InputError(std::move(problems));
   const int n_vertices = static_cast<int>(data.positions.size());
-  return {TriangleMesh(n_vertices, std::move(data.faces)), std::move(data.positions)};
+  return {TriangleMesh(n_vertices, std::move(data.faces)), std::move(data.positions), std::move(data.selections)};
 }
 
 }  // namespace pliant

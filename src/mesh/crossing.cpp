@@ -110,41 +110,85 @@ std::optional<Box> common_box(const SurfaceView& a, const SurfaceView& b, double
   return first;
 }
 
-/// Edges of `a` through faces of `b`.
-std::optional<Vec3> edges_through_faces(const SurfaceView& a, const SurfaceView& b, const Box& limits, double depth) {
+/// Calls visit(edge of a, face of b, point) where an edge of `a` passes through a face of `b`, until it returns true.
+template <class Visit>
+void edges_through_faces(const SurfaceView& a, const SurfaceView& b, const Box& limits, double depth, Visit visit) {
   const auto edges = items_within(limits, a.mesh.vertices_of_edge(), a.positions);
   const auto faces = items_within(limits, b.mesh.vertices_of_face(), b.positions);
-  std::optional<Vec3> found;
   any_pair(edges, faces, [&](int e, int f) {
     const auto& [from, to] = a.mesh.vertices_of_edge()[e];
-    found = crossing_of(a.positions[from], a.positions[to], triangle_of(b, f), depth);
-    return found.has_value();
+    const auto at = crossing_of(a.positions[from], a.positions[to], triangle_of(b, f), depth);
+    return at && visit(e, f, *at);
   });
-  return found;
+}
+
+/// The same of one surface; edges and faces that share a vertex do not count.
+template <class Visit>
+void edges_through_own_faces(const SurfaceView& surface, double depth, Visit visit) {
+  constexpr double endless = std::numeric_limits<double>::infinity();
+  const Box everything{{-endless, -endless, -endless}, {endless, endless, endless}};
+  edges_through_faces(surface, surface, everything, depth, [&](int e, int f, Vec3 at) {
+    const auto& [from, to] = surface.mesh.vertices_of_edge()[e];
+    for (const int v : surface.mesh.vertices_of_face()[f])
+      if (v == from || v == to) return false;
+    return visit(e, f, at);
+  });
+}
+
+void add_faces_of_edge(const SurfaceView& surface, int e, std::vector<int>& faces) {
+  for (const int f : surface.mesh.faces_of_edge()[e])
+    if (f >= 0) faces.push_back(f);
+}
+void sort_once(std::vector<int>& faces) {
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
 }
 }  // namespace
 
 std::optional<Vec3> find_crossing(const SurfaceView& a, const SurfaceView& b, double depth) {
   const auto limits = common_box(a, b, depth);
   if (!limits) return std::nullopt;
-  auto found = edges_through_faces(a, b, *limits, depth);
-  return found ? found : edges_through_faces(b, a, *limits, depth);
+  std::optional<Vec3> found;
+  const auto take_first = [&](int, int, Vec3 at) { return found = at, true; };
+  edges_through_faces(a, b, *limits, depth, take_first);
+  if (!found) edges_through_faces(b, a, *limits, depth, take_first);
+  return found;
 }
 
 std::optional<Vec3> find_self_crossing(const SurfaceView& surface, double depth) {
-  constexpr double endless = std::numeric_limits<double>::infinity();
-  const Box everything{{-endless, -endless, -endless}, {endless, endless, endless}};
-  const auto edges = items_within(everything, surface.mesh.vertices_of_edge(), surface.positions);
-  const auto faces = items_within(everything, surface.mesh.vertices_of_face(), surface.positions);
   std::optional<Vec3> found;
-  any_pair(edges, faces, [&](int e, int f) {
-    const auto& [from, to] = surface.mesh.vertices_of_edge()[e];
-    for (const int v : surface.mesh.vertices_of_face()[f])
-      if (v == from || v == to) return false;
-    found = crossing_of(surface.positions[from], surface.positions[to], triangle_of(surface, f), depth);
-    return found.has_value();
-  });
+  edges_through_own_faces(surface, depth, [&](int, int, Vec3 at) { return found = at, true; });
   return found;
+}
+
+FacePairs find_crossing_faces(const SurfaceView& a, const SurfaceView& b, double depth) {
+  FacePairs found;
+  const auto limits = common_box(a, b, depth);
+  if (!limits) return found;
+  edges_through_faces(a, b, *limits, depth, [&](int e, int f, Vec3) {
+    add_faces_of_edge(a, e, found.of_a);
+    found.of_b.push_back(f);
+    return false;
+  });
+  edges_through_faces(b, a, *limits, depth, [&](int e, int f, Vec3) {
+    add_faces_of_edge(b, e, found.of_b);
+    found.of_a.push_back(f);
+    return false;
+  });
+  sort_once(found.of_a);
+  sort_once(found.of_b);
+  return found;
+}
+
+std::vector<int> find_self_crossing_faces(const SurfaceView& surface, double depth) {
+  std::vector<int> faces;
+  edges_through_own_faces(surface, depth, [&](int e, int f, Vec3) {
+    add_faces_of_edge(surface, e, faces);
+    faces.push_back(f);
+    return false;
+  });
+  sort_once(faces);
+  return faces;
 }
 
 std::optional<Vec3> find_common_sheet(const SurfaceView& a, const SurfaceView& b, double depth) {

@@ -1,6 +1,7 @@
 #pragma once
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "core/vec3.hpp"
 #include "mesh/triangle_mesh.hpp"
@@ -19,6 +20,17 @@ std::optional<Vec3> find_crossing(const SurfaceView& a, const SurfaceView& b, do
 
 /// A point where an edge of a surface crosses one of its own faces that it shares no vertex with.
 std::optional<Vec3> find_self_crossing(const SurfaceView& surface, double depth);
+
+/// Faces of two surfaces that have to do with each other, ascending.
+struct FacePairs {
+  std::vector<int> of_a, of_b;
+};
+
+/// All faces through which edges of the other surface pass, as find_crossing() has it, and the faces of these edges.
+FacePairs find_crossing_faces(const SurfaceView& a, const SurfaceView& b, double depth);
+
+/// The same of one surface, as find_self_crossing() has it.
+std::vector<int> find_self_crossing_faces(const SurfaceView& surface, double depth);
 
 /// A point of `a` that lies on `b` within `depth`, well inside one of its faces, with the normals along one line: two
 /// sheets on top of each other.

@@ -44,7 +44,7 @@ std::string last_error() { return std::strerror(errno); }
 
 }  // namespace
 
-Surface read_surface(const std::filesystem::path& path, Closure closure) {
+SurfaceData read_surface_data(const std::filesystem::path& path) {
   const Format& format = format_of(path);
   std::error_code error;
   if (std::filesystem::is_directory(path, error))
@@ -53,7 +53,11 @@ Surface read_surface(const std::filesystem::path& path, Closure closure) {
   std::ifstream input(path, std::ios::binary);
   if (!input)
     throw InputError(fmt::format("{}: the surface cannot be opened ({}); check the path", path.string(), last_error()));
-  return make_surface(format.read(input, path.string()), closure);
+  return format.read(input, path.string());
+}
+
+Surface read_surface(const std::filesystem::path& path, Closure closure) {
+  return make_surface(read_surface_data(path), closure);
 }
 
 void write_surface(const std::filesystem::path& path, const Surface& surface) {

@@ -5,6 +5,10 @@
 
 namespace pliant {
 
+/// Reads a surface as it is, unchecked; the format follows the extension. Throws InputError with every line that is
+/// wrong.
+SurfaceData read_surface_data(const std::filesystem::path& path);
+
 /// Reads and checks a surface; the format follows the extension: .gts, .stl, .obj or .ply.
 /// Throws InputError with every problem, with file and line.
 Surface read_surface(const std::filesystem::path& path, Closure closure = Closure::any);

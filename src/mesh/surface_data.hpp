@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "core/vec3.hpp"
-#include "mesh/triangle_mesh.hpp"
+#include "mesh/surface.hpp"
 
 namespace pliant {
 
@@ -14,6 +14,7 @@ struct SurfaceData {
   std::vector<Face> faces;
   std::vector<long> vertex_lines, face_lines;  ///< line of each vertex and face; empty if the source has no lines
   int first_number = 1;                        ///< what the source calls its first vertex and face: 1, or 0
+  std::vector<NamedVertices> selections = {};
 };
 
 }  // namespace pliant

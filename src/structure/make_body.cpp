@@ -53,21 +53,32 @@ void add_bending(const BodyConfig& config, const TriangleMesh& mesh, std::span<c
   set.add(std::move(bending));
 }
 
-void pin(const BodyConfig& config, DeformableBody& body) {
+/// Finds the selections of a body, those of its surface among them.
+struct Selector {
+  const BodyConfig& config;
+  const DeformableBody& body;
+  std::span<const NamedVertices> of_surface;
+
+  std::vector<int> operator()(const std::string& name) const {
+    return select_vertices(config, name, body.mesh, body.positions, of_surface);
+  }
+};
+
+void pin(const BodyConfig& config, const Selector& select, DeformableBody& body) {
   if (config.pinned.empty()) return;
   body.pinned.assign(body.positions.size(), 0);
   for (const auto& name : config.pinned)
-    for (int v : select_vertices(config, name, body.mesh, body.positions)) body.pinned[v] = 1;
+    for (int v : select(name)) body.pinned[v] = 1;
 }
 
-void watch(const BodyConfig& config, DeformableBody& body) {
-  for (const auto& name : config.watch)
-    body.watches.push_back({name, select_vertices(config, name, body.mesh, body.positions)});
+void watch(const BodyConfig& config, const Selector& select, DeformableBody& body) {
+  for (const auto& name : config.watch) body.watches.push_back({name, select(name)});
 }
 
-std::vector<Cord> make_cords(const BodyConfig& config, const CordConfig& given, const DeformableBody& body) {
-  const auto from = select_vertices(config, given.from, body.mesh, body.positions);
-  const auto to = given.to.empty() ? std::vector<int>{} : select_vertices(config, given.to, body.mesh, body.positions);
+std::vector<Cord> make_cords(const CordConfig& given, const Selector& select) {
+  const auto& body = select.body;
+  const auto from = select(given.from);
+  const auto to = given.to.empty() ? std::vector<int>{} : select(given.to);
   const auto mean_of = [&](const std::vector<int>& vertices) {
     Vec3 sum;
     for (int v : vertices) sum += body.positions[v];
@@ -94,17 +105,16 @@ std::vector<Cord> make_cords(const BodyConfig& config, const CordConfig& given, 
   return cords;
 }
 
-Attachments make_attachments(const BodyConfig& config, const DeformableBody& body) {
+Attachments make_attachments(const BodyConfig& config, const Selector& select) {
   std::vector<Tether> tethers;
   for (const auto& given : config.tethers)
-    for (int v : select_vertices(config, given.selection, body.mesh, body.positions))
-      tethers.push_back({v, body.positions[v], given.stiffness, given.damping});
+    for (int v : select(given.selection))
+      tethers.push_back({v, select.body.positions[v], given.stiffness, given.damping});
   std::vector<Cord> cords;
   for (const auto& given : config.cords)
-    for (auto& cord : make_cords(config, given, body)) cords.push_back(std::move(cord));
+    for (auto& cord : make_cords(given, select)) cords.push_back(std::move(cord));
   std::vector<Pull> pulls;
-  for (const auto& given : config.pulls)
-    pulls.push_back({select_vertices(config, given.selection, body.mesh, body.positions), given.force});
+  for (const auto& given : config.pulls) pulls.push_back({select(given.selection), given.force});
   Attachments attachments;
   if (!tethers.empty()) attachments.tethers = std::make_shared<const std::vector<Tether>>(std::move(tethers));
   if (!cords.empty()) attachments.cords = std::make_shared<const std::vector<Cord>>(std::move(cords));
@@ -202,9 +212,10 @@ DeformableBody make_body(const BodyConfig& config, Surface surface, double mean_
   body.positions = std::move(surface.positions);
   body.mesh = std::move(surface.mesh);
   if (body.motion != MotionKind::deformable) return body;
-  pin(config, body);
-  watch(config, body);
-  body.attachments = make_attachments(config, body);
+  const Selector select{config, body, surface.selections};
+  pin(config, select, body);
+  watch(config, select, body);
+  body.attachments = make_attachments(config, select);
   body.is_interface = is_interface(config, body);
   find_rates(body);
   return body;

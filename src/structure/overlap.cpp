@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -41,8 +42,8 @@ struct Placed {
 
 class OverlapSearch {
  public:
-  OverlapSearch(const CaseConfig& config, std::span<const PlacedBody> bodies, std::size_t limit)
-      : config_(config), bodies_(bodies), limit_(limit) {
+  OverlapSearch(const CaseConfig& config, std::span<const PlacedBody> bodies, std::size_t limit, SurfaceData* picture)
+      : config_(config), bodies_(bodies), limit_(limit), picture_(picture) {
     for (std::size_t b = 0; b < bodies.size(); ++b)
       for (std::size_t i = 0; i < bodies[b].placements.size(); ++i) {
         const auto placement = start_placement(config.bodies[b], bodies[b].placements[i]);
@@ -73,8 +74,32 @@ class OverlapSearch {
     const auto& c = copies_[copy];
     return copy_name(config_.bodies[c.body], c.index, bodies_[c.body].placements.size());
   }
-  void complain(const std::string& what) {
-    if (++count_ <= limit_) problems_.push_back(what);
+  /// Whether it is spelt out.
+  bool complain(const std::string& what) {
+    if (++count_ > limit_) return false;
+    problems_.push_back(what);
+    return true;
+  }
+  void draw(const SurfaceView& surface, std::span<const int> faces) {
+    if (!picture_) return;
+    std::vector<int> number(surface.positions.size(), -1);
+    for (const int f : faces) {
+      Face face = surface.mesh.vertices_of_face()[f];
+      for (int& v : face) {
+        auto& drawn = number[static_cast<std::size_t>(v)];
+        if (drawn < 0) {
+          drawn = static_cast<int>(picture_->positions.size());
+          picture_->positions.push_back(surface.positions[v]);
+        }
+        v = drawn;
+      }
+      picture_->faces.push_back(face);
+    }
+  }
+  void draw(const SurfaceView& surface) {
+    std::vector<int> all(surface.mesh.vertices_of_face().size());
+    std::iota(all.begin(), all.end(), 0);
+    draw(surface, all);
   }
   static std::string text_of(Vec3 x) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", x.x, x.y, x.z); }
 
@@ -137,13 +162,24 @@ class OverlapSearch {
   }
 
   void check_self(std::size_t b) {
-    if (!std::holds_alternative<FileSurface>(config_.bodies[b].surface)) return;
+    const auto& surface = config_.bodies[b].surface;
+    const auto* file = std::get_if<FileSurface>(&surface);
+    if (!file && !std::holds_alternative<NaturalValveSurface>(surface)) return;
     const auto& shape = bodies_[b].shape;
-    const auto at = find_self_crossing({shape.mesh, shape.positions}, rounding * 2 * bodies_[b].sphere.radius);
-    if (at)
-      complain(fmt::format("{} has a surface that crosses itself, at {} of its file; mend the mesh",
-                           place_of(config_, "body." + config_.bodies[b].name),
-                           text_of(*at / std::get<FileSurface>(config_.bodies[b].surface).scale)));
+    const double depth = rounding * 2 * bodies_[b].sphere.radius;
+    const auto at = find_self_crossing({shape.mesh, shape.positions}, depth);
+    if (!at) return;
+    const auto owner = place_of(config_, "body." + config_.bodies[b].name);
+    const bool told =
+        file ? complain(fmt::format("{} has a surface that crosses itself, at {} of its file; mend the mesh, for "
+                                    "instance by `pliant mesh remesh`",
+                                    owner, text_of(*at / file->scale)))
+             : complain(fmt::format("{} has leaflets that cross, at {} of its surface; change their sizes", owner,
+                                    text_of(*at)));
+    if (!told || !picture_) return;
+    const auto faces = find_self_crossing_faces({shape.mesh, shape.positions}, depth);
+    const auto here = place(shape.positions, bodies_[b].placements.front());
+    draw({shape.mesh, here}, faces);
   }
 
   void check_pair(std::size_t a, std::size_t b, const Placed& first) {
@@ -176,15 +212,24 @@ class OverlapSearch {
     if (!at && sheets)
       at = find_common_sheet(first.view(), second.view(), rounding * std::min(first.size, second.size));
     if (at) {
-      complain(fmt::format("{} and {} overlap at the start: their surfaces meet at {}; move one of them{}",
-                           full_name(a), full_name(b), text_of(in_box(*at)), advice(a, b)));
+      if (complain(fmt::format("{} and {} overlap at the start: their surfaces meet at {}; move one of them{}",
+                               full_name(a), full_name(b), text_of(in_box(*at)), advice(a, b))) &&
+          picture_) {
+        const auto faces =
+            find_crossing_faces(first.view(), second.view(), rounding * std::min(first.size, second.size));
+        const bool flat = faces.of_a.empty();  // sheets on each other: nothing passes through anything
+        if (flat) draw(first.size < second.size ? first.view() : second.view());
+        draw(first.view(), faces.of_a);
+        draw(second.view(), faces.of_b);
+      }
       return true;
     }
     const bool inside = is_inside(first, second), around = !inside && is_inside(second, first);
     if (!inside && !around) return false;
     const auto inner = inside ? a : b, outer = inside ? b : a;
-    complain(fmt::format("{} lies inside {} at the start, around {}; move one of them{}", full_name(inner),
-                         full_name(outer), text_of(in_box(copies_[inner].sphere.center)), advice(a, b)));
+    if (complain(fmt::format("{} lies inside {} at the start, around {}; move one of them{}", full_name(inner),
+                             full_name(outer), text_of(in_box(copies_[inner].sphere.center)), advice(a, b))))
+      draw(inside ? first.view() : second.view());
     return true;
   }
 
@@ -237,15 +282,16 @@ class OverlapSearch {
   const CaseConfig& config_;
   std::span<const PlacedBody> bodies_;
   std::size_t limit_, count_ = 0;
+  SurfaceData* picture_;
   std::vector<Copy> copies_;
   std::array<bool, 3> periodic_{};
   std::vector<std::string> problems_;
 };
 }  // namespace
 
-std::vector<std::string> find_overlaps(const CaseConfig& config, std::span<const PlacedBody> bodies,
-                                       std::size_t limit) {
-  return OverlapSearch(config, bodies, limit).run();
+std::vector<std::string> find_overlaps(const CaseConfig& config, std::span<const PlacedBody> bodies, std::size_t limit,
+                                       SurfaceData* picture) {
+  return OverlapSearch(config, bodies, limit, picture).run();
 }
 
 }  // namespace pliant

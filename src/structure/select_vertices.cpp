@@ -104,7 +104,7 @@ std::vector<int> select_vertices(const SelectionConfig& selection, const Triangl
 }
 
 std::vector<int> select_vertices(const BodyConfig& body, const std::string& name, const TriangleMesh& mesh,
-                                 std::span<const Vec3> positions) {
+                                 std::span<const Vec3> positions, std::span<const NamedVertices> of_surface) {
   for (const auto& selection : body.selections) {
     if (selection.name != name) continue;
     auto vertices = select_vertices(selection, mesh, positions);
@@ -114,7 +114,13 @@ std::vector<int> select_vertices(const BodyConfig& body, const std::string& name
         "center: `pliant mesh info` tells where a surface reaches",
         body.name, name));
   }
-  throw InputError(fmt::format("body.{} has no selection named {}", body.name, name));
+  std::string known;
+  for (const auto& selection : of_surface) {
+    if (selection.name == name) return selection.vertices;
+    known += (known.empty() ? "" : ", ") + selection.name;
+  }
+  throw InputError(fmt::format("body.{} has no selection named {}; its surface brings {}: write [body.selection.{}]",
+                               body.name, name, known.empty() ? "none" : known, name));
 }
 
 }  // namespace pliant

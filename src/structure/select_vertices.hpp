@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "config/case_config.hpp"
-#include "mesh/triangle_mesh.hpp"
+#include "mesh/surface.hpp"
 
 namespace pliant {
 
@@ -12,8 +12,9 @@ namespace pliant {
 std::vector<int> select_vertices(const SelectionConfig& selection, const TriangleMesh& mesh,
                                  std::span<const Vec3> positions);
 
-/// The selection of a body by its name. Throws InputError if there is none, or if it holds no vertex.
+/// The selection of a body by its name: one of the case, or else one that the surface brings along. Throws InputError if
+/// there is none, or if it holds no vertex.
 std::vector<int> select_vertices(const BodyConfig& body, const std::string& name, const TriangleMesh& mesh,
-                                 std::span<const Vec3> positions);
+                                 std::span<const Vec3> positions, std::span<const NamedVertices> of_surface = {});
 
 }  // namespace pliant

@@ -4,6 +4,7 @@
 Usage: bad_input.py PROGRAM MPIRUN [MPIRUN-OPTION]...
 """
 import os
+import re
 import sys
 
 import surfaces
@@ -19,7 +20,7 @@ def bad_case(name, text, patterns, command="check", ranks=1, arguments=()):
         out = os.path.join(folder, "out")
         options = list(arguments) + (["--out", out] if command == "run" else [])
         words = [command] if isinstance(command, str) else command
-        harness.refuses(words + [folder] + options, patterns, ranks=ranks)
+        harness.refuses(words + [folder] + options, patterns, ranks=ranks, cwd=folder)
         expect(not os.path.exists(out), "an output folder was made for a case that is wrong")
     harness.check(name, test)
 
@@ -30,7 +31,7 @@ def bad_surface(name, text, patterns, command="check"):
         if text is not None:
             write(folder, "drop.gts", text)
         options = ["--out", os.path.join(folder, "out")] if command == "run" else []
-        harness.refuses([command, folder] + options, patterns)
+        harness.refuses([command, folder] + options, patterns, cwd=folder)
     harness.check(name, test)
 
 
@@ -105,7 +106,8 @@ def bad_body(name, text, patterns, command="check", ranks=1, places=None):
         if places is not None:
             write(folder, "places.csv", places)
         out = os.path.join(folder, "out")
-        harness.refuses([command, folder] + (["--out", out] if command == "run" else []), patterns, ranks=ranks)
+        harness.refuses([command, folder] + (["--out", out] if command == "run" else []), patterns, ranks=ranks,
+                        cwd=folder)
         expect(not os.path.exists(out), "an output folder was made for a case that is wrong")
     harness.check(name, test)
 
@@ -259,6 +261,68 @@ bad_motion("contact as wide as the body", "deformable", 'coupling = "one-way"',
            [r"repulsion\.range is 0\.6, more than half of the size of body 'drop'"], more="[repulsion]\nrange = 0.6\nstrength = 1\n")
 bad_motion("several problems of a motion", "hinge", 'coupling = "one-way"\ncount = 2\nhinge.axis = [0, 0, 0]',
            ["3 problems", r"coupling", r"count", r"hinge\.axis"])
+
+# Parts of a heart
+def part(shape):
+    return CASE + SPHERE.replace('shape = "sphere", radius = 0.5', shape)
+
+
+bad_case("leaflets in no room", part('shape = "mechanical-leaflet", radius = 0.5, hinge_offset = 0.7'),
+         [r"body\.drop\.surface: mechanical-leaflet: hinge_offset = 0\.7"])
+bad_case("holes that meet", part('shape = "plate-with-holes", size = [2, 2], holes = [[0.2, 0, 0.3], [-0.2, 0, 0.3]]'),
+         [r"holes 1 and 2 are closer than one edge"])
+bad_case("half a hole", part('shape = "plate-with-holes", size = [2, 2], holes = [[0.2, 0]]'),
+         [r"case\.toml:\d+: body\.drop\.surface\.holes hole 1 must be 3 numbers"])
+bad_body("selection of another shape", 'pinned = ["rim"]', [r'pinned names "rim", which is no selection'])
+bad_case("selection that the shape has not", part('shape = "ventricle", radius = 0.5').replace(
+    "[body.potentials]", 'pinned = ["annulus"]\n[body.potentials]'),
+         [r'pinned names "annulus", which is no selection of the body; it has "rim", "apex"'])
+
+
+def selections_through_a_file(folder):
+    surface = os.path.join(folder, "sack.gts")
+    made = harness.run("mesh", "ventricle", "--radius", "0.5", "--height", "1", "--edge", "0.2", "-o", surface)
+    expect(made.returncode == 0 and "rim (" in made.stdout, "no ventricle", made)
+
+    def case(shape, selection):
+        return part(shape).replace("[body.potentials]", 'pinned = ["{}"]\n[body.potentials]'.format(selection))
+    shape = 'file = "sack.gts", open = true'
+    write(folder, "case.toml", case(shape, "rim"))
+    run = harness.run("run", folder, "--out", os.path.join(folder, "out"), "--max-steps", "1")
+    expect(run.returncode == 0, "a selection of the file is not found", run)
+    write(folder, "case.toml", case(shape, "middle"))
+    harness.refuses(["check", folder], [r"body\.drop has no selection named middle; its surface brings rim, apex"])
+
+
+harness.check("selections through a file", selections_through_a_file)
+
+
+def picture_of_an_overlap(folder):
+    write(folder, "case.toml", CASE + SPHERE + SPHERE.replace('"drop"', '"other"').replace(
+        "[body.potentials]", "center = [0, 0.8, 0]\n[body.potentials]"))
+    harness.refuses(["check", folder], [r"overlap at the start", r"faces that overlap are in case-overlaps\.ply"], cwd=folder)
+    info = harness.run("mesh", "info", os.path.join(folder, "case-overlaps.ply"))
+    expect(info.returncode == 0 and "faces" in info.stdout, "the picture cannot be read", info)
+
+
+harness.check("picture of an overlap", picture_of_an_overlap)
+
+
+def remeshing(folder):
+    scan, made = os.path.join(folder, "scan.gts"), os.path.join(folder, "made.gts")
+    write(folder, "scan.gts", surfaces.flipped_face())
+    harness.refuses(["mesh", "info", scan], ["flipped face"])
+    result = harness.run("mesh", "remesh", scan, made, "--edge", "0.4")
+    if "without CGAL" in result.stderr:
+        return "built without CGAL"
+    expect(result.returncode == 0 and "1 faces were turned" in result.stdout, "a flipped face is not mended", result)
+    info = harness.run("mesh", "info", made)
+    expect(re.search(r"closed +yes", info.stdout), "the mended surface is not closed", info)
+    harness.refuses(["mesh", "remesh", scan, made, "--edge", "0"], [r"--edge must be positive"])
+    harness.refuses(["mesh", "remesh", "/nonexistent/a.stl", made, "--edge", "1"], [r"/nonexistent/a\.stl"])
+
+
+harness.check("remeshing", remeshing)
 
 # Surfaces
 bad_surface("surface in two pieces", surfaces.two_pieces(), [r"drop\.gts: .* 2 closed pieces"])

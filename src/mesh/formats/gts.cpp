@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <istream>
 #include <optional>
@@ -19,7 +20,9 @@ constexpr long most_items = 500'000'000;
 
 class GtsReader {
  public:
-  GtsReader(std::istream& input, const std::string& source) : lines_(input, "#!"), source_(source) {}
+  GtsReader(std::istream& input, const std::string& source) : lines_(input, "#!"), source_(source) {
+    lines_.on_comment([this] { read_selection(); });
+  }
 
   SurfaceData read() {
     SurfaceData data;
@@ -42,6 +45,7 @@ class GtsReader {
       }
     if (!cut_short_ && lines_.next())
       problem("a line is left over after the last face; correct the counts in the first line or remove it");
+    take_selections(counts[0], data);
     if (count_ > most_problems)
       problems_.push_back(fmt::format("{}: and {} more problems", source_, count_ - most_problems));
     if (!problems_.empty()) throw InputError(std::move(problems_));
@@ -132,6 +136,42 @@ class GtsReader {
     return std::nullopt;
   }
 
+  /// A comment "# selection NAME v v v ..." names vertices; several of one name make one selection. Any other comment
+  /// is passed over, one that only begins like that as well.
+  void read_selection() {
+    const auto& words = lines_.words();
+    if (words.size() < 4 || words[0] != "#" || words[1] != "selection") return;
+    Selected selected{std::string(words[2]), {}, lines_.number()};
+    for (std::size_t i = 3; i < words.size(); ++i)
+      if (!parse_number(words[i], selected.vertices.emplace_back())) return;
+    selected_.push_back(std::move(selected));
+  }
+  void take_selections(long n_vertices, SurfaceData& data) {
+    for (const auto& selected : selected_) {
+      auto& all = data.selections;
+      auto at = std::find_if(all.begin(), all.end(), [&](const auto& s) { return s.name == selected.name; });
+      if (at == all.end()) at = all.insert(all.end(), {selected.name, {}});
+      for (const long v : selected.vertices) {
+        if (v >= 1 && v <= n_vertices) at->vertices.push_back(static_cast<int>(v - 1));
+        else if (++count_ <= most_problems)
+          problems_.push_back(fmt::format(
+              "{}:{}: the selection '{}' names vertex {}, out of range: there are {}, counted from 1; correct it",
+              source_, selected.line, printable(selected.name), v, n_vertices));
+      }
+    }
+    for (auto& selection : data.selections) {
+      auto& vertices = selection.vertices;
+      std::sort(vertices.begin(), vertices.end());
+      vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    }
+  }
+
+  struct Selected {
+    std::string name;
+    std::vector<long> vertices;
+    long line;
+  };
+  std::vector<Selected> selected_;
   LineReader lines_;
   const std::string& source_;
   std::vector<std::array<int, 2>> edges_;
@@ -154,6 +194,12 @@ void write_gts(std::ostream& output, const Surface& surface) {
   for (const Vec3& x : surface.positions) fmt::format_to(out, "{:.17g} {:.17g} {:.17g}\n", x.x, x.y, x.z);
   for (const auto& [a, b] : mesh.vertices_of_edge()) fmt::format_to(out, "{} {}\n", a + 1, b + 1);
   for (const auto& [a, b, c] : mesh.edges_of_face()) fmt::format_to(out, "{} {} {}\n", a + 1, b + 1, c + 1);
+  constexpr std::size_t in_a_line = 20;
+  for (const auto& [name, vertices] : surface.selections)
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      if (i % in_a_line == 0) fmt::format_to(out, "# selection {}", name);
+      fmt::format_to(out, " {}{}", vertices[i] + 1, i + 1 == vertices.size() || (i + 1) % in_a_line == 0 ? "\n" : "");
+    }
   output.write(text.data(), static_cast<std::streamsize>(text.size()));
 }
 

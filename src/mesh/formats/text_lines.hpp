@@ -1,5 +1,6 @@
 #pragma once
 #include <charconv>
+#include <functional>
 #include <istream>
 #include <string>
 #include <string_view>
@@ -47,10 +48,14 @@ class LineReader {
       ++number_;
       bytes_ += static_cast<long>(line_.size()) + 1;
       words_ = split_words(line_);
-      if (!words_.empty() && comment_marks_.find(words_[0][0]) == std::string::npos) return true;
+      if (words_.empty()) continue;
+      if (comment_marks_.find(words_[0][0]) == std::string::npos) return true;
+      if (on_comment_) on_comment_();
     }
     return false;
   }
+  /// What to do with a comment, which is then in line() and words().
+  void on_comment(std::function<void()> work) { on_comment_ = std::move(work); }
   long number() const { return number_; }
   /// The bytes of all lines so far, with their ends.
   long bytes() const { return bytes_; }
@@ -59,6 +64,7 @@ class LineReader {
 
  private:
   std::istream& input_;
+  std::function<void()> on_comment_;
   std::string comment_marks_, line_;
   std::vector<std::string_view> words_;
   long number_ = 0, bytes_ = 0;

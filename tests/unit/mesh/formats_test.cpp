@@ -94,6 +94,34 @@ std::string gts_error(const std::string& text) {
   return "no error";
 }
 
+TEST(Formats, GtsKeepsSelectionsInComments) {
+  auto sphere = make_icosphere(3, 1.0);
+  sphere.selections = {{"rim", {}}, {"apex", {4}}};
+  for (int v = 0; v < 90; v += 2) sphere.selections[0].vertices.push_back(v);
+  std::stringstream stream;
+  write_gts(stream, sphere);
+  const auto text = stream.str();
+  EXPECT_NE(text.find("\n# selection apex 5\n"), std::string::npos);
+  const auto back = make_surface(read_gts(stream, "a.gts"), Closure::closed);
+  ASSERT_EQ(back.selections.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(back.selections[i].name, sphere.selections[i].name);
+    EXPECT_EQ(back.selections[i].vertices, sphere.selections[i].vertices);
+  }
+  EXPECT_EQ(back.positions, sphere.positions);
+  // Words after "selection" that are no numbers make it a comment like any other; numbers must be those of vertices.
+  std::istringstream talk(text + "# selection made by hand\n! selection rim 1\n# selection\n");
+  EXPECT_EQ(read_gts(talk, "a.gts").selections.size(), 2u);
+  std::istringstream wrong(text + "# selection apex 2 93\n");
+  try {
+    read_gts(wrong, "a.gts");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("the selection 'apex' names vertex 93, out of range: there are 92"),
+              std::string::npos);
+  }
+}
+
 TEST(Formats, GtsErrorsNameTheLine) {
   EXPECT_NE(gts_error("").find("bad.gts: the file is empty"), std::string::npos);
   EXPECT_NE(gts_error("# only this\n").find("is empty"), std::string::npos);

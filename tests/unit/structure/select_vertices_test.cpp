@@ -72,6 +72,27 @@ TEST(SelectVertices, FarthestAlongADirection) {
   EXPECT_EQ(vertices_where(sphere, [&](Vec3 x) { return dot(x, end.extreme->direction) >= least; }), found);
 }
 
+TEST(SelectVertices, TakesThoseOfTheSurfaceUnlessTheCaseHasOne) {
+  const auto sphere = make_icosphere(2, 1.0);
+  const std::vector<NamedVertices> brought{{"rim", {3, 5}}, {"top", {1}}};
+  BodyConfig body;
+  const auto found = [&](const std::string& name) {
+    return select_vertices(body, name, sphere.mesh, sphere.positions, brought);
+  };
+  EXPECT_EQ(found("rim"), (std::vector<int>{3, 5}));
+  body.selections.resize(1);
+  body.selections[0].name = "rim";
+  body.selections[0].sphere = {{0, 0, 1}, 0.1};
+  EXPECT_EQ(found("rim"), (std::vector<int>{0}));
+  EXPECT_EQ(found("top"), (std::vector<int>{1}));
+  try {
+    found("middle");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("its surface brings rim, top"), std::string::npos);
+  }
+}
+
 TEST(SelectVertices, RefusesEmptyOnesByName) {
   const auto sphere = make_icosphere(2, 1.0);
   BodyConfig body;
