@@ -182,9 +182,13 @@ Surface make_natural_valve(const NaturalValveSizes& sizes) {
                     sizes.free_edge, 2.1 * chord, pi));
   if (!(sizes.opening >= 0))
     throw InputError(fmt::format("natural-valve: opening = {} must not be negative", sizes.opening));
-  NaturalValveSizes used = sizes;
-  used.edge = std::min(sizes.edge, sizes.radius);
-  Valve valve(used);
+  // Shorter edges of its own would not fit the circles that others of this radius and edge have.
+  if (const double depth = 2 * sizes.radius * sizes.commissure; sizes.edge > depth)
+    throw InputError(
+        fmt::format("natural-valve: edge = {} is longer than the commissures, {:.4g}; give a shorter edge, or "
+                    "a larger commissure",
+                    sizes.edge, depth));
+  Valve valve(sizes);
   if (sizes.leaflet != LeafletsMade::posterior) valve.add_anterior();
   if (sizes.leaflet != LeafletsMade::anterior) valve.add_posterior();
   return valve.finish();

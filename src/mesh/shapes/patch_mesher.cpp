@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <limits>
 #include <numbers>
 #include <optional>
 
@@ -13,6 +14,10 @@ namespace {
 
 /// Edges longer or shorter than these fractions of what is asked are cut or removed.
 constexpr double longest = 1.48, shortest = 0.70;
+/// Over which part of an edge derivatives are found, and how often all edges are gone through at most: a chart that
+/// distorts too much might never come to an end.
+constexpr double part_of_edge = 1e-3;
+constexpr int most_passes = 200;
 constexpr int rounds = 5, smoothings_a_round = 2, last_smoothings = 8, most_climbs = 60;
 /// Smoothing does not make an angle smaller than the first; vertices whose faces all have larger angles than the second
 /// are good enough.
@@ -48,10 +53,6 @@ double sharpness(const Metric& m, ChartPoint a, ChartPoint b, ChartPoint c) {
 class PatchMesher {
  public:
   explicit PatchMesher(const Patch& patch) : patch_(patch) {
-    for (const auto& vertex : patch.outline) {
-      const ChartPoint p = vertex.chart, q = patch.middle;
-      step_ = std::max(step_, 1e-5 * std::hypot(p[0] - q[0], p[1] - q[1]));
-    }
     start_from_fan();
     for (const auto& hole : patch.holes) insert_hole(hole);
     flip_from_all();
@@ -82,20 +83,36 @@ class PatchMesher {
   int add_vertex(ChartPoint chart, Vec3 place, bool fixed) {
     chart_.push_back(chart);
     place_.push_back(place);
-    slopes_.push_back(slopes_at(chart));
+    step_.push_back(0);
+    slopes_.emplace_back();
     fixed_.push_back(fixed);
     face_of_.push_back(-1);
     return static_cast<int>(chart_.size()) - 1;
   }
   /// The derivatives of the surface, by differences.
-  std::array<Vec3, 2> slopes_at(ChartPoint p) const {
-    return {(patch_.surface({p[0] + step_, p[1]}) - patch_.surface({p[0] - step_, p[1]})) / (2 * step_),
-            (patch_.surface({p[0], p[1] + step_}) - patch_.surface({p[0], p[1] - step_})) / (2 * step_)};
+  void find_slopes(int v) {
+    const ChartPoint p = chart_[v];
+    const double h = step_[v];
+    slopes_[v] = {(patch_.surface({p[0] + h, p[1]}) - patch_.surface({p[0] - h, p[1]})) / (2 * h),
+                  (patch_.surface({p[0], p[1] + h}) - patch_.surface({p[0], p[1] - h})) / (2 * h)};
+  }
+  /// Derivatives everywhere, by differences over a small part of the shortest edge in the chart.
+  void find_all_slopes() {
+    std::fill(step_.begin(), step_.end(), std::numeric_limits<double>::infinity());
+    for (const Face& face : faces_)
+      for (int k = 0; k < 3 && face[0] >= 0; ++k) {
+        const int a = face[k], b = face[next(k)];
+        const double step = part_of_edge * std::hypot(chart_[b][0] - chart_[a][0], chart_[b][1] - chart_[a][1]);
+        step_[a] = std::min(step_[a], step);
+        step_[b] = std::min(step_[b], step);
+      }
+    for (int v = 0; v < static_cast<int>(chart_.size()); ++v)
+      if (std::isfinite(step_[v])) find_slopes(v);
   }
   void move(int v, ChartPoint p, Vec3 x) {
     chart_[v] = p;
     place_[v] = x;
-    slopes_[v] = slopes_at(p);
+    find_slopes(v);
   }
   /// The mean metric of some vertices.
   Metric metric_of(std::initializer_list<int> vertices) const {
@@ -292,6 +309,7 @@ class PatchMesher {
     const int middle = add_vertex(patch_.middle, patch_.surface(patch_.middle), patch_.keeps_middle);
     for (int i = 0; i < n; ++i) add_face();
     for (int i = 0; i < n; ++i) set_face(i, {middle, i, (i + 1) % n}, {(i + n - 1) % n, -1, (i + 1) % n});
+    find_all_slopes();
     flip_from_all();
   }
 
@@ -302,6 +320,9 @@ class PatchMesher {
       v += static_cast<int>(other.size());
     }
     for (std::size_t i = 0; i < hole.size(); ++i, ++v) {
+      const ChartPoint p = hole[i].chart, q = hole[(i + 1) % hole.size()].chart;
+      step_[v] = part_of_edge * std::hypot(q[0] - p[0], q[1] - p[1]);
+      find_slopes(v);
       insert(v);
       flip_pending();
     }
@@ -395,7 +416,8 @@ class PatchMesher {
   }
 
   void refine() {
-    for (;;) {
+    for (int pass = 0; pass < most_passes; ++pass) {
+      find_all_slopes();
       auto edges = edges_where([](double length) { return length > longest; });
       std::stable_sort(edges.begin(), edges.end(), [](auto& a, auto& b) { return a.length > b.length; });
       bool any = false;
@@ -404,7 +426,10 @@ class PatchMesher {
         if (!side || neighbour(*side) < 0) continue;
         const ChartPoint a = chart_[edge.a], b = chart_[edge.b];
         const ChartPoint middle{0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])};
-        put_on_edge(*side, add_vertex(middle, patch_.surface(middle), false));
+        const int v = add_vertex(middle, patch_.surface(middle), false);
+        step_[v] = 0.5 * part_of_edge * std::hypot(b[0] - a[0], b[1] - a[1]);
+        find_slopes(v);
+        put_on_edge(*side, v);
         flip_pending();
         any = true;
       }
@@ -501,6 +526,12 @@ class PatchMesher {
 
   /// Faces in the order in which a walk over neighbours finds them, so that what is near is near in memory.
   PatchMesh result() const {
+    const double least = std::cos(10 * std::numbers::pi / 180);
+    for (const auto& [a, b, c] : faces_)
+      if (a >= 0 && sharpness(place_[a], place_[b], place_[c]) > least)
+        throw InputError(
+            "no faces without very sharp angles were found for these sizes; give shorter edges, or sizes that "
+            "are less unlike");
     PatchMesh mesh;
     std::vector<int> number(place_.size(), -1);
     const int n_kept = n_given_ + (patch_.keeps_middle ? 1 : 0);
@@ -532,9 +563,9 @@ class PatchMesher {
 
   const Patch& patch_;
   int n_given_ = 0;
-  double step_ = 0;  ///< of differences in the chart
   std::vector<ChartPoint> chart_;
   std::vector<Vec3> place_;
+  std::vector<double> step_;                 ///< of differences in the chart
   std::vector<std::array<Vec3, 2>> slopes_;  ///< derivatives of the surface at the vertices
   std::vector<char> fixed_;
   std::vector<int> face_of_;  ///< of each vertex; -1: it was taken out

@@ -87,6 +87,12 @@ TEST(HeartShapes, AreSoundAndWellShaped) {
   }
 }
 
+TEST(HeartShapes, AreWellShapedHoweverLongOrFlat) {
+  expect_good(make_ventricle({0.285, 3.67, 0.13, 0}), 1, 0.1, 0.13);
+  expect_good(make_ventricle({2, 0.3, 0.1, 0}), 1, 0.1, 0.1);
+  expect_good(make_ventricle({1, 1, 0.1, 0}), 1, 0.1, 0.1);  // half a sphere
+}
+
 TEST(HeartShapes, HaveAsManyFacesAsAsked) {
   // Equilateral faces of the edge asked for: area over sqrt(3) / 4 edge^2, here with the area of half a spheroid.
   const double a = 1.32, c = 3.52, e = std::sqrt(1 - a * a / (c * c)), edge = 0.06;
@@ -247,6 +253,9 @@ TEST(HeartShapes, RefuseSizesThatFitNothing) {
   mechanical.hinge_offset = 0.6;
   EXPECT_THROW(make_mechanical_leaflet(mechanical), InputError);
   NaturalValveSizes natural;
+  natural.edge = 0.3;  // longer than the commissures, 0.2
+  EXPECT_THROW(make_natural_valve(natural), InputError);
+  natural.edge = 0.05;
   natural.free_edge = 1.5;
   EXPECT_THROW(make_natural_valve(natural), InputError);
   natural.free_edge = 2.4;
