@@ -9,7 +9,7 @@
 namespace pliant {
 
 /// Lines for people: the dimensionless groups of a case, by the length 1 and the fastest velocity that the case
-/// prescribes (1 if it prescribes none).
+/// prescribes (1 if it prescribes none, or has [units]).
 std::vector<std::string> dimensionless_groups(const CaseConfig& config, const Grid& grid,
                                               const std::vector<BodyKind>& kinds);
 

@@ -426,7 +426,7 @@ struct BodyConfig {
 
 struct ImmersedBoundaryConfig {
   int forcing_iterations = 1;
-  bool carry_forces = true;
+  bool carry_forces = false;
 };
 
 /// automatic: quasi-newton where deformable bodies are coupled strongly, else aitken.

@@ -111,7 +111,7 @@ double UnitScales::of(Dimension dimension) const {
 }
 
 std::optional<KeyUnit> parse_key_unit(std::string_view text) {
-  if (text.empty() || text == "steps" || text == "grid spacings" || text == "of the values") return std::nullopt;
+  if (text.empty() || text == "steps" || text == "grid spacings" || text == "diameters" || text == "of the values") return std::nullopt;
   if (text == "minutes") return KeyUnit{{0, 1, 0}, 1.0 / 60, true};
   return UnitParser(text).parse();
 }

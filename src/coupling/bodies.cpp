@@ -64,6 +64,7 @@ std::vector<std::size_t> Bodies::follow_schedules(double time) {
       body.loads = {};
       body.slip = {};
       body.stresses = {};
+      body.carried_forces.clear();
     }
   return changed;
 }

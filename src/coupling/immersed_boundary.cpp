@@ -42,6 +42,13 @@ bool has_sheets(const Bodies& bodies, MarkerGroup group) {
   return false;
 }
 
+/// The same on all ranks.
+bool has_fixed(const Bodies& bodies) {
+  for (std::size_t k = 0; k < bodies.kinds().size(); ++k)
+    if (belongs(bodies, k, MarkerGroup::fixed)) return true;
+  return false;
+}
+
 /// Mean velocity and rotation of markers, weighted by area: exact if they move as a rigid body.
 RigidState rigid_fit(std::span<const Vec3> positions, std::span<const Vec3> velocities, std::span<const double> areas,
                      Vec3 center) {
@@ -180,7 +187,7 @@ void ImmersedBoundary::place_sheets(const Bodies& bodies, Group& group, MarkerGr
 }
 
 void ImmersedBoundary::begin_step(const Bodies& bodies) {
-  if (!carries_forces_) return;
+  if (!carries_forces_ || !has_fixed(bodies)) return;
   auto& group = group_of(MarkerGroup::fixed);
   group.own_vectors.assign(group.markers.areas.size(), Vec3{});
   for (const Part& p : group.parts) {
@@ -192,7 +199,7 @@ void ImmersedBoundary::begin_step(const Bodies& bodies) {
 }
 
 void ImmersedBoundary::end_step(Bodies& bodies) {
-  if (!carries_forces_) return;
+  if (!carries_forces_ || !has_fixed(bodies)) return;
   auto& group = group_of(MarkerGroup::fixed);
   group.held_vectors.assign(group.router.held().size(), Vec3{});
   group.own_vectors.resize(group.markers.areas.size());

@@ -24,7 +24,7 @@ bool count_swing(SwingCount& swing, Vec3 acceleration, double least) {
   swing.largest_before = swing.largest;
   swing.largest = 0;
   swing.steps = swing.reversals = 0;
-  return swing.windows > 0 && swing.largest_before > std::max(least, growth_in_all * swing.largest_at_first);
+  return swing.windows > 1 && swing.largest_before > std::max(least, growth_in_all * swing.largest_at_first);
 }
 
 bool is_swinging_up(Body& body, const BodyKind& kind, const RigidLoad& load, double least) {

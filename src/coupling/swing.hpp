@@ -7,7 +7,8 @@ namespace pliant {
 
 /// Takes down an acceleration of a loosely coupled body, one a step. True once they have swung to and fro and grown for
 /// so long that the coupling must be called unstable: in windows of 4 steps, at least 2 reversals in each, the largest
-/// size growing from window to window, to more than tenfold and to `least` in all. No motion that the steps resolve
+/// size growing from window to window, twice at least (after an impact on a stop it does so once), to more than
+/// tenfold and to `least` in all. No motion that the steps resolve
 /// does that, nor does noise. Windows rather than single steps, because the stops of a hinge cut swings short.
 bool count_swing(SwingCount& swing, Vec3 acceleration, double least);
 

@@ -146,6 +146,7 @@ TEST(BodyRestart, OfBodiesThatDeformTogetherWithTheFlow) {
 
 TEST(BodyRestart, OfBodiesThatComeAndGo) {
   auto config = everything(CouplingKind::loose, StrongScheme::automatic);
+  config.immersed_boundary.carry_forces = true;
   auto shutter = ball("shutter", MotionKind::fixed, {0, 0, 1.2}, 1);
   shutter.surface = PlateSurface{{0.8, 0.9}, 0.25};
   config.bodies.push_back(shutter);

@@ -158,6 +158,21 @@ TEST(Overlap, DrawsWhereASurfaceCrossesItself) {
   EXPECT_EQ(picture.positions[0], places[0] + config.bodies[0].center);
 }
 
+TEST(Overlap, LooksAtAHingedBodyAtTheAngleItBeginsWith) {
+  auto config = empty_case();
+  auto leaf = body("leaf", PlateSurface{{1, 1}, 0.25}, {2, 2, 2});
+  leaf.motion = MotionKind::hinge;
+  leaf.hinge.point = {1.5, 2, 2};
+  leaf.hinge.axis = {0, 1, 0};
+  // A ball at the free edge of the plate as it lies, one below where it hangs.
+  config.bodies = {leaf, body("ahead", SphereSurface{4, 0.2}, {2.5, 2, 2}), body("below", SphereSurface{4, 0.2}, {1.5, 2, 1})};
+  EXPECT_THAT(overlaps(config), ElementsAre(AllOf(HasSubstr("body.leaf and"), HasSubstr("body.ahead"))));
+  config.bodies[0].hinge.angle = 90;
+  EXPECT_THAT(overlaps(config), ElementsAre(AllOf(HasSubstr("body.leaf and"), HasSubstr("body.below"))));
+  config.bodies[0].hinge.angle = 45;
+  EXPECT_THAT(overlaps(config), IsEmpty());
+}
+
 TEST(Overlap, LeavesRandomCopiesAlone) {
   auto config = empty_case();
   config.boundary[4] = config.boundary[5] = FreeSlipSide{};
