@@ -110,13 +110,14 @@ std::string with_prefix(double value, const std::string& unit) {
 
 std::vector<std::string> dimensionless_groups(const CaseConfig& config, const Grid& grid,
                                               const std::vector<BodyKind>& kinds) {
-  const double prescribed = config.units ? 0 : fastest_prescribed(config, grid), speed = prescribed > 0 ? prescribed : 1;
+  const double prescribed = config.units ? 0 : fastest_prescribed(config, grid),
+               speed = prescribed > 0 ? prescribed : 1;
   const double nu = config.fluid.viscosity / config.fluid.density;
   std::vector<std::string> lines;
-  lines.push_back(fmt::format(
-      "dimensionless groups, by the length L = 1 and the velocity U = {:.6g} ({}):", speed,
-      prescribed > 0 ? "the fastest that the case prescribes; of a patch the mean"
-                     : config.units ? "those of [units]" : "as the case prescribes none"));
+  lines.push_back(fmt::format("dimensionless groups, by the length L = 1 and the velocity U = {:.6g} ({}):", speed,
+                              prescribed > 0 ? "the fastest that the case prescribes; of a patch the mean"
+                              : config.units ? "those of [units]"
+                                             : "as the case prescribes none"));
   lines.push_back(nu > 0 ? fmt::format("  Re = U L/nu = {:.6g}", speed / nu)
                          : "  Re infinite: the fluid has no viscosity");
   for (const auto& [period, owner] : periods_of(config)) {

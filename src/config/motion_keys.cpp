@@ -180,12 +180,12 @@ void add_motion_keys(std::vector<BodyKey>& keys) {
                                  "a force shared over the surface keeps its centre at rest, so that it deforms but "
                                  "does not drift; the body's table has the flow's force on it"},
                                 [](auto& b) { return &b.held; })));
-  keys.push_back(
-      soft(make_key<BodyConfig>({"separates", "",
-                                 "of an open surface: with other bodies it parts the box in two, as a closed one does by itself "
-                                 "(a sack on a plate across the box). Then the even part of the pressure that it bears "
-                                 "stays out of the flow, which would leak under it; pressures on one side are shown less it"},
-                                [](auto& b) { return &b.separates; })));
+  keys.push_back(soft(make_key<BodyConfig>(
+      {"separates", "",
+       "of an open surface: with other bodies it parts the box in two, as a closed one does by itself "
+       "(a sack on a plate across the box). Then the even part of the pressure that it bears "
+       "stays out of the flow, which would leak under it; pressures on one side are shown less it"},
+      [](auto& b) { return &b.separates; })));
   keys.push_back(
       soft(make_key<BodyConfig>({"volume_correction", "",
                                  "of a closed body: the least motion of its vertices that keeps the volume as it was, "

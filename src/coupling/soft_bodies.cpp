@@ -63,9 +63,10 @@ void SoftBodies::begin_step() {
   for (const auto& part : transfer_.parts()) part.body->loads.reaction = part.body->loads.balance = {};
 }
 
-// An even pressure on a surface that separates two parts of the box does no work on fluid that keeps its volume; but spread to the grid it is not
-// the gradient of any discrete pressure, and what is left of it drives currents around a drop at rest. So the even part
-// of the forces, by least squares with the areas as weights, stays out of the flow, and out of its pressure.
+// An even pressure on a surface that separates two parts of the box does no work on fluid that keeps its volume; but
+// spread to the grid it is not the gradient of any discrete pressure, and what is left of it drives currents around a
+// drop at rest. So the even part of the forces, by least squares with the areas as weights, stays out of the flow, and
+// out of its pressure.
 void SoftBodies::remove_mean_pressure(const VertexTransfer::Part& part, std::span<Vec3> forces) const {
   const auto& surface = part.body->surface;
   const auto gradient = volume_gradient(surface.mesh, surface.positions);
@@ -127,7 +128,8 @@ void SoftBodies::finish(double step) {
     load.torque *= -1 / step;
     body.loads.balance = load;
     if (part.kind->restores_volume)
-      body.volume_restored += restore_volume(body.surface, part.kind->displaced.volume, body.in_contact) / part.kind->displaced.volume;
+      body.volume_restored +=
+          restore_volume(body.surface, part.kind->displaced.volume, body.in_contact) / part.kind->displaced.volume;
     body.pose.center = mean_position(body.surface.positions);
     try {
       require_finite(body.surface);

@@ -85,11 +85,11 @@ class DirectForcing {
     MarkerVectors wanted, found, impulse;  // impulse: mean force on the fluid over the step
     MarkerVectors carried;
     bool carries = false;
-    Completion complete;                   // of a group with sheets
-    std::vector<Vec3> normals;             // in working order
-    std::vector<Vec3> along;               // force along the sheet so far in this substep
-    std::vector<double> resistance;        // d h/(2 nu), a time; 0: not of a sheet
-    std::vector<Vec3> whole;               // by the caller's index
+    Completion complete;             // of a group with sheets
+    std::vector<Vec3> normals;       // in working order
+    std::vector<Vec3> along;         // force along the sheet so far in this substep
+    std::vector<double> resistance;  // d h/(2 nu), a time; 0: not of a sheet
+    std::vector<Vec3> whole;         // by the caller's index
   };
   Set& set_of(MarkerGroup group) { return sets_[static_cast<std::size_t>(group)]; }
   const Set& set_of(MarkerGroup group) const { return sets_[static_cast<std::size_t>(group)]; }

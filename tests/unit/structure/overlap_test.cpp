@@ -165,7 +165,8 @@ TEST(Overlap, LooksAtAHingedBodyAtTheAngleItBeginsWith) {
   leaf.hinge.point = {1.5, 2, 2};
   leaf.hinge.axis = {0, 1, 0};
   // A ball at the free edge of the plate as it lies, one below where it hangs.
-  config.bodies = {leaf, body("ahead", SphereSurface{4, 0.2}, {2.5, 2, 2}), body("below", SphereSurface{4, 0.2}, {1.5, 2, 1})};
+  config.bodies = {leaf, body("ahead", SphereSurface{4, 0.2}, {2.5, 2, 2}),
+                   body("below", SphereSurface{4, 0.2}, {1.5, 2, 1})};
   EXPECT_THAT(overlaps(config), ElementsAre(AllOf(HasSubstr("body.leaf and"), HasSubstr("body.ahead"))));
   config.bodies[0].hinge.angle = 90;
   EXPECT_THAT(overlaps(config), ElementsAre(AllOf(HasSubstr("body.leaf and"), HasSubstr("body.below"))));
