@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """What the ventricle has to survive, on a tiny grid: a restart in mid-systole on the same and on another number of ranks, a
 sack pumped far below its volume at rest, and geometry that does not fit. Minutes. See README.md."""
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -21,7 +22,7 @@ EMPTYING = {"signals.beat.formula": "phase < 0.4 ? -sin(pi*phase/0.4)^2 : phase 
                                     "sin(pi*(phase-0.45)/0.5)^2 : 0",
             "cavity.ventricle.ejection_fraction": 0.6, "body.aortic-valve.schedule.phase": [0.42, 1.0]}
 BAD = {"a leaflet that does not fit its channel": {"body.leaflet-right.surface.radius": 0.56},
-       "a channel that stands in the sack": {"body.mitral-channel.center": [0.55, 0, -0.4]},
+       "a channel that goes through the plate beside its hole": {"body.mitral-channel.center": [0.7, 0, -0.2]},
        "a sack that the plate does not hold": {"body.sack.center": [0, 0, 0.3]}}
 
 
@@ -53,6 +54,9 @@ def difference(one, other, first):
 
 def main():
     arguments = common.read_arguments(__doc__, "left-ventricle-robustness", quick="the same")
+    if os.geteuid() == 0:
+        os.environ.setdefault("OMPI_ALLOW_RUN_AS_ROOT", "1")
+        os.environ.setdefault("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1")
     bounds = common.Bounds()
     before, after = 5200, 5400  # of 7200 steps a cycle: systole lasts from 4464 to 7056
     whole = simulate(arguments, "whole", {}, steps=after)

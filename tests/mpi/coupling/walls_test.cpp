@@ -54,7 +54,8 @@ TEST(Walls, AreTheSameOnAnyNumberOfRanksAndByBothSweeps) {
   config.time.max_steps = 10;
   config.immersed_boundary.carry_forces = true;
   config.bodies = {partition(MotionKind::fixed), ball("stone", MotionKind::fixed, {1, 1, -1.2}, 0.5)};
-  Simulation alone(config, Communicator(MPI_COMM_SELF), silent(owner.path() / "alone"));
+  Simulation alone(config, Communicator(MPI_COMM_SELF),
+                   silent(owner.path() / ("alone-" + std::to_string(Communicator().rank()))));
   alone.run();
   config.time.sweeps = Sweeps::plain;
   Simulation together(config, Communicator(), silent(owner.path() / "together"));
