@@ -100,6 +100,11 @@ class StructureValidator : private BodyValidator {
   }
 
   void check_uses(const BodyConfig& body) {
+    const bool soft = body.coupling == CouplingKind::automatic || body.coupling == CouplingKind::force_spreading ||
+                      body.coupling == CouplingKind::local_mass;
+    if (body.separates && !soft && trusted({"separates", "coupling"}))
+      complain("separates",
+               "is for bodies that move with the flow; set coupling = \"force-spreading\" or \"local-mass\"");
     for (const auto& name : body.pinned) require_selection(body, "pinned", name);
     for (const auto& name : body.watch) require_selection(body, "watch", name);
     for (const auto& tether : body.tethers)
