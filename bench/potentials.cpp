@@ -26,9 +26,11 @@ PotentialsConfig liquid_interface() {
   return config;
 }
 
-void evaluate(benchmark::State& state, const PotentialsConfig& config) {
+void evaluate(benchmark::State& state, const PotentialsConfig& potentials) {
   Surface surface = make_icosphere(static_cast<int>(state.range(0)), 1.0);
-  const PotentialSet set = make_potentials(config, surface.mesh, surface.positions);
+  BodyConfig body;
+  body.potentials = potentials;
+  const PotentialSet set = make_potentials(body, surface.mesh, surface.positions);
   for (Vec3& x : surface.positions) x.x += 0.1 * std::sin(3 * x.y) * x.z;
   ShapeState shape(surface.mesh);
   std::vector<Vec3> forces(surface.positions.size());
