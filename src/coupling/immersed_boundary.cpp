@@ -36,17 +36,18 @@ bool belongs(const Bodies& bodies, std::size_t kind, MarkerGroup group) {
 }
 bool belongs(const Bodies& bodies, const Body& body, MarkerGroup group) { return belongs(bodies, body.kind, group); }
 
-bool has_sheets(const Bodies& bodies, MarkerGroup group) {
+/// Whether a kind of the group is one of those asked for; the same on all ranks.
+template <class IsAsked>
+bool has_any(const Bodies& bodies, MarkerGroup group, IsAsked is_asked) {
   for (std::size_t k = 0; k < bodies.kinds().size(); ++k)
-    if (belongs(bodies, k, group) && bodies.kinds()[k].is_thin_sheet()) return true;
+    if (belongs(bodies, k, group) && is_asked(bodies.kinds()[k])) return true;
   return false;
 }
-
-/// The same on all ranks.
+bool has_sheets(const Bodies& bodies, MarkerGroup group) {
+  return has_any(bodies, group, [](const BodyKind& kind) { return kind.is_thin_sheet(); });
+}
 bool has_fixed(const Bodies& bodies) {
-  for (std::size_t k = 0; k < bodies.kinds().size(); ++k)
-    if (belongs(bodies, k, MarkerGroup::fixed)) return true;
-  return false;
+  return has_any(bodies, MarkerGroup::fixed, [](const BodyKind&) { return true; });
 }
 
 /// Mean velocity and rotation of markers, weighted by area: exact if they move as a rigid body.

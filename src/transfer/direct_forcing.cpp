@@ -52,12 +52,16 @@ void DirectForcing::carry(std::span<const Vec3> forces, MarkerGroup group) {
 
 void DirectForcing::add_carried(std::span<Vec3> forces, MarkerGroup group) const {
   const Set& set = set_of(group);
-  if (!set.carries) return;
+  if (set.carries) add_shares(set, set.carried, forces);
+}
+
+// The components that this rank works on, by the caller's index.
+void DirectForcing::add_shares(const Set& set, const MarkerVectors& vectors, std::span<Vec3> sums) {
   const auto indices = set.markers.indices();
   for (int c = 0; c < 3; ++c) {
     const auto share = set.markers.share(c);
     for (std::size_t m = 0; m < indices.size(); ++m)
-      if (share[m] != 0) forces[static_cast<std::size_t>(indices[m])][c] += set.carried[c][m];
+      if (share[m] != 0) sums[static_cast<std::size_t>(indices[m])][c] += vectors[c][m];
   }
 }
 
@@ -105,7 +109,7 @@ bool DirectForcing::spread_carried(double weight, double dt_alpha, View<FaceX> u
 void DirectForcing::begin_along(Set& set) {
   const auto indices = set.markers.indices();
   std::fill(set.whole.begin(), set.whole.end(), Vec3{});
-  add_carried(set.whole, &set == &set_of(MarkerGroup::fixed) ? MarkerGroup::fixed : MarkerGroup::moving);
+  add_shares(set, set.carried, set.whole);
   set.complete(set.whole);
   for (std::size_t m = 0; m < indices.size(); ++m) {
     if (set.resistance[m] <= 0) continue;
@@ -157,11 +161,7 @@ void DirectForcing::force_sheets(Set& set, double weight, double dt_alpha, View<
   const auto indices = set.markers.indices();
   interpolate(set.markers, u, v, w, set.found);
   std::fill(set.whole.begin(), set.whole.end(), Vec3{});
-  for (int c = 0; c < 3; ++c) {
-    const auto share = set.markers.share(c);
-    for (std::size_t m = 0; m < indices.size(); ++m)
-      if (share[m] != 0) set.whole[static_cast<std::size_t>(indices[m])][c] = set.found[c][m];
-  }
+  add_shares(set, set.found, set.whole);
   set.complete(set.whole);
   for (std::size_t m = 0; m < indices.size(); ++m) {
     const Vec3 n = set.normals[m], wanted{set.wanted[0][m], set.wanted[1][m], set.wanted[2][m]};

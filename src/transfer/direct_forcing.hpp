@@ -97,6 +97,7 @@ class DirectForcing {
   void force_once(double weight, double dt_alpha, View<FaceX> u, View<FaceY> v, View<FaceZ> w);
   void force_set(Set& set, bool is_last, double weight, double dt_alpha, View<FaceX> u, View<FaceY> v, View<FaceZ> w);
   void begin_along(Set& set);
+  static void add_shares(const Set& set, const MarkerVectors& vectors, std::span<Vec3> sums);
   void force_sheets(Set& set, double weight, double dt_alpha, View<FaceX> u, View<FaceY> v, View<FaceZ> w);
 
   Grid grid_;
