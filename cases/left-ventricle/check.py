@@ -377,6 +377,44 @@ def draw_valves(plt, beats, file, phases=(("ejection", 0.8), ("opening", 0.05), 
     save(figure, file)
 
 
+def wall_shear(beat, phase):
+    """Of the sack's inner side, at its faces: magnitude over rho U^2, middles, areas; None if there is no such surface."""
+    data = beat.snapshot("surfaces", "sack", phase)
+    if data is None or "inner_shear" not in data:
+        return None
+    corners = data["positions"][:][data["triangles"][:]]
+    areas = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1) / 2
+    return np.linalg.norm(data["inner_shear"][:], axis=1), corners, areas
+
+
+def draw_wall_shear(plt, beats, file, phases=(0.1, 0.15, 0.2, 0.3, 0.7)):
+    from matplotlib.collections import PolyCollection
+
+    frame, far = view(8, -72), None
+    figure, axes = plt.subplots(len(beats), len(phases), figsize=(2.4 * len(phases), 3.6 * len(beats)), layout="constrained",
+                                squeeze=False)
+    for row, (name, beat) in zip(axes, beats.items()):
+        for panel, phase in zip(row, phases):
+            panel.set(aspect="equal", title=f"{name}, t/T = {phase:g}", xlim=(-1.7, 1.7), ylim=(-3.6, 0.4))
+            panel.axis("off")
+            found = wall_shear(beat, phase)
+            if found is None:
+                panel.text(0, -1.3, "no snapshot", ha="center")
+                continue
+            shear, corners, _ = found
+            seen = corners @ frame.T
+            # The far wall, looked at from inside.
+            towards = np.cross(seen[:, 1] - seen[:, 0], seen[:, 2] - seen[:, 0])[:, 2]
+            behind = seen[:, :, 2].mean(axis=1) < np.median(seen[:, :, 2])
+            far = behind & (towards < 0 if (towards[behind] < 0).mean() > 0.5 else towards > 0)
+            image = PolyCollection(seen[far][:, :, :2], array=shear[far], cmap="magma", edgecolors="face", linewidths=0.2)
+            image.set_clim(0, 0.01)
+            panel.add_collection(image)
+    if far is not None:
+        figure.colorbar(image, ax=axes, shrink=0.6, label=r"wall shear stress / $\rho U^2$", extend="max")
+    save(figure, file)
+
+
 def draw(beats, picture):
     import matplotlib
 
@@ -386,7 +424,7 @@ def draw(beats, picture):
     plt.rcParams.update({"axes.spines.top": False, "axes.spines.right": False, "legend.frameon": False})
     draw_flow(plt, beats, picture)
     for name, drawing in (("mean-position", draw_position), ("leaflets", draw_leaflets), ("snapshots", draw_snapshots),
-                          ("speed", draw_speed), ("valves", draw_valves)):
+                          ("speed", draw_speed), ("valves", draw_valves), ("wall-shear", draw_wall_shear)):
         drawing(plt, beats, picture.with_name(f"{name}.png"))
 
 
@@ -444,6 +482,25 @@ def tables(beats):
             [["", number(gap[0]), *(number(pick(gap[which]) if which.any() else np.nan)
                                     for pick, which in ((np.max, phase <= E_END), (np.min, phase >= SYSTOLE)))]])
     return text
+
+
+def shear_table(beats):
+    """Mean over the inner side of the sack and largest (99.9 % of the area have less), by phase."""
+    rows = []
+    for name, beat in beats.items():
+        for phase in (0.1, PEAK, 0.2, E_END, 0.7):
+            found = wall_shear(beat, phase)
+            if found is None:
+                continue
+            shear, corners, areas = found
+            order = np.argsort(shear)
+            most = shear[order][np.searchsorted(np.cumsum(areas[order]), 0.999 * areas.sum())]
+            depth = corners[..., 2].mean(axis=1)
+            apex = depth < 0.75 * depth.min()
+            rows.append([name, f"{phase:g}", *(f"{q:.5f}" for q in (np.average(shear, weights=areas), most,
+                                                                  np.average(shear[apex], weights=areas[apex])))])
+    return common.markdown_table(["wall shear stress over rho U^2, inner side of the sack", "t/T", "mean", "largest, but for 0.1 % of the area",
+                                  "mean of the lowest quarter"], rows)
 
 
 def coupling_of(beat):
@@ -506,7 +563,7 @@ def main():
     if len(beats) == 2:
         deeper = beats["natural"].jet()[0] / beats["mechanical"].jet()[0]
         bounds.at_least("jet depth, mean of the E wave: natural over mechanical", deeper, 1)
-    text = bounds.markdown() + "\n" + tables(beats)
+    text = bounds.markdown() + "\n" + tables(beats) + "\n" + shear_table(beats)
     if arguments.schemes:
         base = Beat(outs["mechanical" + size], cycle=0)
         step = base.case["time"]["step"]

@@ -78,7 +78,10 @@ class StructureValidator : private BodyValidator {
       const bool wants_border = selection.border || selection.border_near;
       if (wants_border && trusted({"surface.shape", "surface.file", "surface.open", "surface.ends"}) &&
           !is_open_surface(body.surface))
-        complain(key, "is at a free border, but the surface is closed; select its vertices by place");
+        complain(key, std::holds_alternative<FileSurface>(body.surface)
+                          ? "is at a free border, but surface.open is false, so that the file is taken for a closed "
+                            "surface; set surface.open = true, or select the vertices by place"
+                          : "is at a free border, but the surface is closed; select its vertices by place");
     }
   }
 
