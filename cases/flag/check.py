@@ -12,15 +12,18 @@ import common  # noqa: E402
 AMPLITUDE, STROUHAL = (0.75, 0.82), (0.255, 0.27)
 PUBLISHED = {"Huang & Sung 2010": (0.780, 0.260), "Tian et al. 2014, plate": (0.806, 0.266),
              "Tian et al. 2014, solid": (0.812, 0.263), "Lee & Choi 2015": (0.752, 0.265)}
-COARSE, FINE = "16 cells", "24 cells"
+COARSE, FINE, FINEST = "16 cells", "24 cells", "32 cells"
 FINER = {"box.cells": [144, 72, 72], "box.stretching.z.growth": 0.04, "body.flag.surface.edge": 0.0417, "time.max_step": 0.00625}
 RUNS = {COARSE: {},
         f"{COARSE}, half the step": {"time.max_step": 0.005},
         f"{COARSE}, loose": {"body.flag.coupling": "loose"},
         f"{COARSE}, loose, wider box": {"body.flag.coupling": "loose", "box.size": [6, 5, 6], "box.origin": [-1.5, -2.5, -3],
                                         "box.cells": [96, 80, 60]},
+        f"{COARSE}, force-spreading": {"body.flag.coupling": "force-spreading"},
         FINE: FINER,
-        f"{FINE}, loose": {**FINER, "body.flag.coupling": "loose", "time.end": 14}}
+        f"{FINE}, loose": {**FINER, "body.flag.coupling": "loose", "time.end": 14},
+        FINEST: {"box.cells": [192, 96, 96], "box.stretching.z.growth": 0.03, "body.flag.surface.edge": 0.03125,
+                 "time.max_step": 0.005, "time.end": 16, "output.fields.interval": 16}}
 
 
 class Flapping:
@@ -74,14 +77,14 @@ def draw(results, file):
 
     plt.rcParams.update({"axes.spines.top": False, "axes.spines.right": False, "legend.frameon": False})
     figure, (motion, shapes, wake) = plt.subplots(1, 3, figsize=(13, 3.4), layout="constrained", width_ratios=[1.3, 0.9, 1.4])
-    for (name, (_, r)), colour in zip(results.items(), ("#9ecae1", "#41ab5d", "#d95f0e", "#fdae6b", "#08306b", "#7f2704")):
+    for (name, (_, r)), colour in zip(results.items(), ("#9ecae1", "#41ab5d", "#d95f0e", "#fdae6b", "#bcbddc", "#4292c6", "#7f2704", "#08306b")):
         motion.plot(r.times, r.tip[:, 2], color=colour, lw=1, label=name)
     for sign in (-1, 1):
         motion.axhspan(*sorted(sign * a / 2 for a in AMPLITUDE), color="0.9", zorder=0)
     motion.set(xlabel="t U/L", ylabel="z/L of the trailing edge's middle")
     motion.set_ylim(-0.5, 0.75)
     motion.legend(fontsize="small", ncols=2, loc="upper center")
-    out, best = next((results[n] for n in (FINE, COARSE) if n in results))
+    out, best = next((results[n] for n in (FINEST, COARSE) if n in results))
     last = best.times >= best.times[-1] - 3.8
     for shape in best.shapes[last][::4]:
         shapes.plot(shape[best.middle, 0], shape[best.middle, 2], color="#08306b", lw=0.7)
