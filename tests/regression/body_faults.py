@@ -70,6 +70,42 @@ def refused(name, text, patterns, ranks):
     harness.check("{}, {} rank{}".format(name, ranks, "" if ranks == 1 else "s"), test)
 
 
+# A light, stiff shell in vortices: local-mass holds it with small steps alone.
+SHELL = """
+[box]
+size = [4, 4, 4]
+origin = [-2, -2, -2]
+cells = [16, 16, 16]
+[fluid]
+viscosity = 0.001
+[initial]
+flow = "taylor-green"
+normal = "z"
+[time]
+end = 1.2
+step = {}
+[[body]]
+name = "shell"
+coupling = "local-mass"
+center = [0.3, 0.2, 0.1]
+surface = {{ shape = "sphere", frequency = 4, radius = 1 }}
+thickness = 0.01
+density = 0.3
+young = 75000
+"""
+
+
+def foretold(folder):
+    for step, code in ((0.04, 3), (0.01, 0)):
+        write(folder, "case.toml", SHELL.format(step))
+        check = harness.run("check", folder)
+        expect(("may blow up" in check.stdout + check.stderr) == (code == 3), f"check is wrong about the step {step}", check)
+        result = harness.run("run", folder, "--out", os.path.join(folder, f"out-{step}"), timeout=100)
+        expect(result.returncode == code, f"the run with the step {step} ends otherwise", result)
+
+
+harness.check("a light wall that blows up was warned of", foretold)
+
 for ranks in (1, 3):
     fails("body through a wall", BOX + ball('motion = "prescribed"\npath.z = "2*t"'),
           [r"body 'ball' has left the box: its vertex \d+ is at \(.*, .*, 2\.\d+\).*repulsion"], ranks)
