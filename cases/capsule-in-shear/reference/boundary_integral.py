@@ -56,7 +56,7 @@ def table(rows):
         if len(of_run) > 1:
             coarse, fine = (1 / int(row[2]) for row in of_run[-2:])
             ends = [float(last) + (float(last) - float(first)) * fine / (coarse - fine) for first, last in zip(of_run[-2][3:], of_run[-1][3:])]
-            lines.append([law, capillary, "endless", f"{ends[0]:.4f}", f"{ends[1]:.4f}", f"{ends[2]:.2f}"])
+            lines.append([law, capillary, "extrapolated", f"{ends[0]:.4f}", f"{ends[1]:.4f}", f"{ends[2]:.2f}"])
     return common.markdown_table(["law", "Ca_E; springs: Ca_G", "vertices", "D", "D by moments", "angle"], lines)
 
 
