@@ -147,7 +147,7 @@ def draw(networks, membranes, file):
                       label="Ramanujan and Pozrikidis" if capillary == 0.2 else None)
     left.plot(*published("doddi-bagchi-ca0.05"), "x", color="0.4", ms=5, label="Doddi and Bagchi")
     left.set(xlim=(0, 8), ylim=(0, 0.62), xlabel=r"$\gamma t$", ylabel="D, endless box, Re = 0")
-    left.legend(ncols=2, fontsize=8, loc="center right", bbox_to_anchor=(1, 0.33), frameon=False)
+    left.legend(ncols=2, fontsize=8, loc="center right", bbox_to_anchor=(1, 0.26), frameon=False)
     sizes, runs = boxes_of(NETWORKS, networks, "0.02")
     for length, s, colour in zip(sizes, runs, ("#9ecae1", "#4292c6", "#08306b")):
         right.plot(s.time, s.taylor / 0.02, color=colour, label=f"box {length} a")
