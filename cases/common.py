@@ -214,10 +214,10 @@ def markdown_table(header, rows):
     return "\n".join(lines) + "\n"
 
 
-def update_readme(readme, text):
+def update_readme(readme, text, start=START, end=END):
     """Puts the text between the two marks of a README."""
-    before, rest = readme.read_text().split(START)
-    readme.write_text(before + START + "\n" + text.strip() + "\n" + END + rest.split(END)[1])
+    before, rest = readme.read_text().split(start)
+    readme.write_text(before + start + "\n" + text.strip() + "\n" + end + rest.split(end, 1)[1])
 
 
 def how_measured(run_report, command):

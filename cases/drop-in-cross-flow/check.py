@@ -40,8 +40,8 @@ QUICK = ["clean-we0.5", "clean-we2", "contaminated-we0.5"]
 
 
 class Result:
-    def __init__(self, name, out):
-        self.kind, self.weber, *_ = RUNS[name]
+    def __init__(self, kind, weber, out):
+        self.kind, self.weber = kind, weber
         self.out, self.report = out, common.report(out)
         self.finished = self.report["status"] == "finished"
         self.time, self.ratios, self.sideways = shape.inverse_aspect_ratio(out)
@@ -161,11 +161,11 @@ def draw_pictures(result, times, file):
 def main():
     arguments = common.read_arguments(__doc__, "drop-in-cross-flow", quick="four runs with 10 cells a diameter")
     results = {}
-    for name, (_, _, file, change) in RUNS.items():
+    for name, (kind, weber, file, change) in RUNS.items():
         if arguments.quick and name not in QUICK:
             continue
         try:
-            results[name] = Result(name, common.run(arguments, name, CASE / file, change))
+            results[name] = Result(kind, weber, common.run(arguments, name, CASE / file, change))
         except common.RunFailed as failure:
             print(f"{name}: no result: {failure}", flush=True)
     bounds = common.Bounds()

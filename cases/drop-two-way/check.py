@@ -23,6 +23,7 @@ def settings(capillary, length, cells, frequency=8, viscosity=10.0):
 # Ca, box in radii, cells a radius, frequency of the mesh, viscosity (1/Re)
 RUNS = [(ca, *rest) for ca in (0.1, 0.3)
         for rest in ((6, 8, 8, 10.0), (8, 8, 8, 10.0), (10, 8, 8, 10.0), (6, 6, 6, 10.0), (6, 12, 12, 10.0))]
+RUNS += [(0.3, 6, 16, 16, 10.0)]
 RUNS += [(0.1, 6, 8, 8, 2.0), (0.1, 6, 8, 8, 50.0), (0.3, 6, 8, 8, 2.0), (0.3, 6, 8, 8, 50.0), (0.1, 6, 8, 12, 10.0)]
 QUICK = [r for r in RUNS if r[1:] == (6, 8, 8, 10.0) or r[1:] == (8, 8, 8, 10.0)]
 
@@ -44,35 +45,78 @@ def results_table(results):
                                   "angle", "against BI", "change of D at the end", "steps", "minutes"], rows)
 
 
+class Limits:
+    """D and angle at one Ca without box, inertia and grid. The box: straight line in L^-3 at 8 cells a radius. Inertia: line
+    from Re = 0.02 to 0.1. The grid: line in h^2 through the two finest. The last two in the box of 6 radii."""
+
+    def __init__(self, results, capillary, what):
+        def value(*rest):
+            run = results.get((capillary, *rest))
+            return getattr(run, what) if run else None
+
+        boxes = [r[1] for r in results if r[0] == capillary and r[2:] == (8, 8, 10.0)]
+        self.endless, self.slope = shear.limit([length**-3 for length in boxes], [value(length, 8, 8, 10.0) for length in boxes])
+        self.grids = {cells: value(6, cells, cells, 10.0) for cells in (6, 8, 12, 16) if value(6, cells, cells, 10.0)}
+        slow = value(6, 8, 8, 50.0)
+        self.inertia = 1.25 * (self.grids[8] - slow) if slow else 0.0
+        self.grid = self.grids[8] - self.fine() if len(self.grids) > 1 else 0.0
+
+    def fine(self):
+        """In the box of 6 radii at h -> 0."""
+        (coarse, first), (finest, last) = list(self.grids.items())[-2:]
+        return last + (last - first) / ((finest / coarse)**2 - 1)
+
+    def at(self, cells):
+        """In an endless box at Re = 0 with so many cells a radius."""
+        return self.endless - self.inertia - (self.grids[8] - self.grids[cells])
+
+    def all(self):
+        return self.endless - self.inertia - self.grid
+
+    def order(self):
+        """Of convergence on 8, 12 and 16 cells: p of D = D0 + C h^p by bisection."""
+        if 16 not in self.grids:
+            return None
+        steps = [self.grids[8] - self.grids[12], self.grids[12] - self.grids[16]]
+        if steps[0] * steps[1] <= 0:
+            return None
+
+        def ratio(p):
+            return (8**-p - 12**-p) / (12**-p - 16**-p)
+
+        low, high = 0.1, 8.0
+        for _ in range(60):
+            middle = (low + high) / 2
+            low, high = (middle, high) if ratio(middle) < steps[0] / steps[1] else (low, middle)
+        return low
+
+
 def limits(results):
-    """For each Ca, D and angle at 8 cells a radius in an endless box (straight line in L^-3), and what is added to them by
-    the grid of 8 cells (line in h^2 from 12 to 8) and by Re = 0.1 (line from 0.02 to 0.1), both in the box of 6 radii."""
-    found = {}
-    for capillary in REFERENCE:
-        boxes = [(r[1], s) for r, s in results.items() if r[0] == capillary and r[2:] == (8, 8, 10.0)]
-        cubes = [length**-3 for length, _ in boxes]
-        base, fine, slow = (results.get((capillary, 6, *rest)) for rest in ((8, 8, 10.0), (12, 12, 10.0), (8, 8, 50.0)))
-        values = {}
-        for what in ("d", "angle"):
-            limit, slope = shear.limit(cubes, [getattr(s, what) for _, s in boxes])
-            values[what] = {"limit": limit, "slope": slope, "finer": limit, "grid": 0.0, "re": 0.0}
-            if fine and slow:
-                change = getattr(base, what) - getattr(fine, what)
-                inertia = 1.25 * (getattr(base, what) - getattr(slow, what))
-                values[what] |= {"finer": limit - change - inertia, "grid": change * 9 / 5, "re": inertia}
-        found[capillary] = values
-    return found
+    return {ca: {what: Limits(results, ca, what) for what in ("d", "angle")} for ca in REFERENCE}
 
 
 def limit_table(found):
     rows = []
     for ca, values in found.items():
         d, angle, (reference, reference_angle) = values["d"], values["angle"], REFERENCE[ca]
-        end, end_angle = d["limit"] - d["grid"] - d["re"], angle["limit"] - angle["grid"] - angle["re"]
-        rows.append([f"{ca:g}", f"{d['limit']:.4f}", f"{d['slope']:.1f} (L/R)^-3", f"{d['grid']:+.4f}", f"{d['re']:+.4f}", f"{d['finer']:.4f}",
-                     f"{end:.4f}", f"{100 * (end / reference - 1):+.1f} %", f"{end_angle:.1f}", f"{end_angle - reference_angle:+.1f}"])
-    return common.markdown_table(["Ca", "D, endless box, 8 cells", "box adds to D", "8 cells add", "Re = 0.1 adds", "D, 12 cells, endless box, Re = 0",
-                                  "D, also h -> 0", "against BI", "angle, all limits", "against BI"], rows)
+        rows.append([f"{ca:g}", f"{d.endless:.4f}", f"{d.slope:.1f} (L/R)^-3", f"{d.grid:+.4f}", f"{d.inertia:+.4f}", f"{d.all():.4f}",
+                     f"{100 * (d.all() / reference - 1):+.1f} %", f"{angle.all():.1f}", f"{angle.all() - reference_angle:+.1f}"])
+    return common.markdown_table(["Ca", "D, endless box, 8 cells", "box adds to D", "8 cells add", "Re = 0.1 adds", "D, all limits",
+                                  "against BI", "angle, all limits", "against BI"], rows)
+
+
+def grid_table(found):
+    """D and angle in an endless box at Re = 0 on each grid."""
+    rows = []
+    for ca, values in found.items():
+        d, angle, (reference, reference_angle) = values["d"], values["angle"], REFERENCE[ca]
+        for cells in d.grids:
+            rows.append([f"{ca:g}", f"1/{cells}", f"{d.at(cells):.4f}", f"{100 * (d.at(cells) / reference - 1):+.1f} %",
+                         f"{angle.at(cells):.1f}", f"{angle.at(cells) - reference_angle:+.1f}", ""])
+        order = d.order()
+        rows.append([f"{ca:g}", "0", f"{d.all():.4f}", f"{100 * (d.all() / reference - 1):+.1f} %", f"{angle.all():.1f}",
+                     f"{angle.all() - reference_angle:+.1f}", f"{order:.1f}" if order else ""])
+    return common.markdown_table(["Ca", "h / R", "D, endless box, Re = 0", "against BI", "angle", "against BI", "order of D, from 8, 12, 16 cells"], rows)
 
 
 def draw(results, file):
@@ -93,13 +137,12 @@ def draw(results, file):
     over_time.set(xlim=(0, 10), ylim=(0, 0.42), xlabel=r"$\gamma t$", ylabel="D by moments")
     over_time.legend(loc="center right", bbox_to_anchor=(1, 0.55))
     for capillary, values in limits(results).items():
-        d, slope = values["d"]["limit"], values["d"]["slope"]
-        end = d - values["d"]["grid"] - values["d"]["re"]
+        d, slope, end = values["d"].endless, values["d"].slope, values["d"].all()
         reference = REFERENCE[capillary][0]
         colour = "#08306b" if capillary == 0.1 else "#d95f0e"
         for run, s in results.items():
             if run[0] == capillary and run[4] == 10.0 and run[2] == run[3]:
-                over_box.plot(run[1]**-3, s.d / reference, {6: "v", 8: "o", 12: "^"}[run[2]], color=colour)
+                over_box.plot(run[1]**-3, s.d / reference, {6: "v", 8: "o", 12: "^", 16: "D"}[run[2]], color=colour)
         over_box.plot([0, 0.005], [d / reference, d * (1 + slope * 0.005) / reference], color=colour, lw=0.8, label=f"Ca = {capillary:g}")
         over_box.plot(0, end / reference, "*", color=colour, ms=10, clip_on=False)
     over_box.axhspan(1 - D_LIMIT / 100, 1 + D_LIMIT / 100, color="0.92", zorder=0)
@@ -107,6 +150,7 @@ def draw(results, file):
     over_box.plot([], [], "v", color="0.4", label="6 cells a radius")
     over_box.plot([], [], "o", color="0.4", label="8")
     over_box.plot([], [], "^", color="0.4", label="12")
+    over_box.plot([], [], "D", color="0.4", label="16")
     over_box.plot([], [], "*", color="0.4", ms=10, label="no box, no inertia, fine grid")
     over_box.legend(fontsize=8)
     figure.savefig(file, dpi=110)
@@ -121,15 +165,15 @@ def main():
     found = limits(results)
     bounds = common.Bounds()
     for capillary, values in found.items():
-        reference, reference_angle = REFERENCE[capillary]
-        where = "8 cells" if arguments.quick else "12 cells, Re = 0"
-        bounds.near(f"D at Ca = {capillary:g}, endless box, {where}", values["d"]["finer"], reference, D_LIMIT)
-        bounds.within(f"angle at Ca = {capillary:g}, endless box, {where}", values["angle"]["finer"], reference_angle - ANGLE_LIMIT,
-                      reference_angle + ANGLE_LIMIT, " degrees")
+        d, angle, (reference, reference_angle) = values["d"], values["angle"], REFERENCE[capillary]
+        for cells in [8] if arguments.quick else [n for n in d.grids if n >= 12]:
+            where = f"{cells} cells a radius, endless box" + ("" if arguments.quick else ", Re = 0")
+            bounds.near(f"D at Ca = {capillary:g}, {where}", d.at(cells), reference, D_LIMIT)
+            bounds.within(f"angle at Ca = {capillary:g}, {where}", angle.at(cells), reference_angle - ANGLE_LIMIT, reference_angle + ANGLE_LIMIT,
+                          " degrees")
         if not arguments.quick:
-            d = values["d"]
-            bounds.near(f"D at Ca = {capillary:g}, endless box, Re = 0, h -> 0", d["limit"] - d["grid"] - d["re"], reference, D_LIMIT)
-    text = bounds.markdown() + "\n" + limit_table(found) + "\n" + results_table(results)
+            bounds.near(f"D at Ca = {capillary:g}, endless box, Re = 0, h -> 0", d.all(), reference, D_LIMIT)
+    text = bounds.markdown() + "\n" + limit_table(found) + "\n" + grid_table(found) + "\n" + results_table(results)
     text = common.how_measured(next(iter(results.values())).report, "cases/drop-two-way/check.py --update-readme") + "\n" + text
     return common.conclude(arguments, CASE, text, bounds, lambda picture: draw(results, picture))
 
