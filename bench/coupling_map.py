@@ -5,10 +5,11 @@ A spherical membrane of R = 1 in Taylor-Green vortices of speed U = 1, in a peri
 m: mass a unit of area over rho R; E: Young's modulus times thickness over rho U^2 R. For every scheme, m and E the
 largest step dt U/h is found with which the run goes to the end without a gain of energy, and for it: the energy that is
 left, drift of the volume, slip, and seconds per unit of time. Results are added to a JSON file, from which --table
-prints Markdown and --plot draws the figure.
+prints Markdown and --plot draws the figure. With --around N only two steps are tried: the one above the largest that
+held with N cells a radius, and that one.
 
 Usage: bench/coupling_map.py [--program FILE] [--cells-a-radius 8] [--end 20] [--schemes a,b] [--masses ..]
-                             [--stiffnesses ..] [--json FILE]
+                             [--stiffnesses ..] [--steps ..] [--around 8] [--json FILE]
        bench/coupling_map.py --plot FIGURE --json FILE
        bench/coupling_map.py --table --json FILE
 """
@@ -107,6 +108,7 @@ def measure(arguments):
         with open(arguments.json) as stream:
             results = json.load(stream)
     h = 1 / arguments.cells_a_radius
+    held = {(r["scheme"], r["mass"], r["stiffness"]): r["step"] for r in results if r["cells"] == arguments.around}
     for scheme in arguments.schemes.split(","):
         for mass in arguments.masses:
             for stiffness in arguments.stiffnesses:
@@ -114,8 +116,12 @@ def measure(arguments):
                        "end": arguments.end}
                 if any(all(r[k] == v for k, v in key.items()) for r in results):
                     continue
+                steps = arguments.steps
+                if arguments.around:
+                    largest = held[(scheme, mass, stiffness)]
+                    steps = [number for number in STEPS if number >= largest][-2:]
                 tried = []
-                for number in STEPS:
+                for number in steps:
                     found = run(arguments.program, arguments, scheme, mass, stiffness, number * h)
                     tried.append("{} {}".format(number, found.get("failed", "holds")))
                     if "failed" not in found:
@@ -162,7 +168,7 @@ def plot(arguments):
                 if not of:
                     continue
                 step = of.get(8) if 8 in of else next(iter(of.values()))
-                shade = 0 if not step else (STEPS[::-1].index(step) + 1) / len(STEPS)
+                shade = 0 if not step else 1 - sum(number > step for number in STEPS) / len(STEPS)
                 ax.add_patch(plt.Rectangle((i, j), 1, 1, color=plt.cm.YlGn(0.75 * shade) if step else "#d9a0a0"))
                 text = "/".join("-" if of[c] is None else "{:g}".format(of[c]) for c in sorted(of))
                 ax.text(i + 0.5, j + 0.5, text, ha="center", va="center", fontsize=8)
@@ -186,6 +192,8 @@ def main():
     parser.add_argument("--schemes", default=",".join(SCHEMES))
     parser.add_argument("--masses", type=float, nargs="+", default=[1, 0.1, 0.03, 0.003])
     parser.add_argument("--stiffnesses", type=float, nargs="+", default=[1, 30, 750])
+    parser.add_argument("--steps", type=float, nargs="+", default=STEPS, help="dt U/h to try, the largest first")
+    parser.add_argument("--around", type=int, help="cells a radius with which the largest step is known")
     parser.add_argument("--patience", type=float, default=600, help="seconds for one run")
     parser.add_argument("--json", default="coupling-map.json")
     parser.add_argument("--plot", metavar="FIGURE")

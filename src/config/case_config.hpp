@@ -438,6 +438,7 @@ struct CouplingConfig {
   double tolerance = 1e-4;
   int max_iterations = 50;
   double relaxation = 0.5;  ///< of the first iteration of a step
+  int reuse = 2;            ///< steps whose secants serve in the present one
 };
 
 struct RepulsionConfig {

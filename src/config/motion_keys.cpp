@@ -224,6 +224,9 @@ void add_interaction_keys(std::vector<Key<CaseConfig>>& keys) {
       {"coupling.relaxation", "", "of the first iteration of a step"}, [](auto& c) { return &c.coupling.relaxation; },
       Limits{.min = 0, .min_bound = Bound::exclusive, .max = 1}));
   add(make_key<CaseConfig>(
+      {"coupling.reuse", "", "steps whose secants quasi-newton uses again, as long as they say something new"},
+      [](auto& c) { return &c.coupling.reuse; }, between(0, 20)));
+  add(make_key<CaseConfig>(
       {"repulsion.range", "length", "within which surfaces push each other off; 0: they do not"},
       [](auto& c) { return &c.repulsion.range; }, at_least(0)));
   add(make_key<CaseConfig>(

@@ -97,7 +97,7 @@ struct Body {
   std::vector<Vec3> told_positions, told_velocities;  ///< of deformable bodies that the flow has to follow
   std::vector<Vec3> flow_forces, accelerations;       ///< of these, by vertex, in the last step
   std::vector<Vec3> carried_forces;                   ///< of a fixed body, by marker (DirectForcing::carry)
-  std::vector<Vec3> mass_velocities;                  ///< of a soft body's own mass (force-spreading)
+  std::vector<Vec3> mass_velocities;                  ///< of its own mass: force-spreading, strong
   std::vector<std::uint8_t>
       in_contact;                   ///< of a soft body's vertices: 1 if another surface held them in the last substep
   double volume_restored = 0;       ///< since the start, over the volume

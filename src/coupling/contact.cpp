@@ -90,7 +90,7 @@ SurfaceContact* Contact::of(const Body& body) {
   return found == contacts_.end() ? nullptr : &found->second;
 }
 
-void Contact::end(Bodies& bodies, double step) {
+void Contact::end(Bodies& bodies, double step, ContactPass pass) {
   if (!is_wanted() || !has_deformable_) return;
   std::vector<std::span<const Vec3>> on_obstacles;
   for (const Body& body : bodies.own()) {
@@ -102,10 +102,11 @@ void Contact::end(Bodies& bodies, double step) {
     Body& body = bodies.own()[b];
     auto& surface = body.surface;
     if (bodies.kind_of(body).has_pose()) {
-      body.loads.pressed = total_load(surface.positions, told[b], body.pose.center);
-      body.loads.pressed.force *= 1 / step;
-      body.loads.pressed.torque *= 1 / step;
-      body.met = body.pose;
+      auto pressed = total_load(surface.positions, told[b], body.pose.center);
+      pressed.force *= 1 / step;
+      pressed.torque *= 1 / step;
+      body.loads.pressed = pass == ContactPass::second ? body.loads.pressed + pressed : pressed;
+      if (pass != ContactPass::first) body.met = body.pose;
       continue;
     }
     // What others say they did to it, against what it took itself: each side gives way by half, as a whole. Vertex by
@@ -122,8 +123,13 @@ void Contact::end(Bodies& bodies, double step) {
       missing += 0.5 * (told[b][v] - taken[v]);
       inertia += masses[v] + step * resistances[v];
     }
-    for (std::size_t v = 0; v < taken.size() && inertia > 0; ++v)
-      if (!surface.is_pinned(v)) surface.velocities[v] += missing / inertia;
+    const bool has_own_velocities =
+        bodies.kind_of(body).coupling == CouplingKind::strong && !body.mass_velocities.empty();
+    for (std::size_t v = 0; v < taken.size() && inertia > 0; ++v) {
+      if (surface.is_pinned(v)) continue;
+      surface.velocities[v] += missing / inertia;
+      if (has_own_velocities) body.mass_velocities[v] += missing / inertia;
+    }
   }
 }
 

@@ -8,6 +8,9 @@
 
 namespace pliant {
 
+/// Deformable bodies that act on the flow move before those that do not: two passes in a step where a case has both.
+enum class ContactPass { only, first, second };
+
 /// Keeps bodies apart from each other, from walls, and deformable ones from themselves.
 ///
 /// Between bodies with a pose it is a repulsion of their vertices, found once a step. Deformable bodies have contact
@@ -30,8 +33,9 @@ class Contact {
   /// The contact of an own deformable body within that step; null if none is wanted.
   SurfaceContact* of(const Body& body);
   /// The step is over: evens out the velocities of deformable bodies that were advanced apart from each other, so that
-  /// contact adds no momentum, and sets what they pressed on bodies with a pose. Collective.
-  void end(Bodies& bodies, double step);
+  /// contact adds no momentum, and sets what they pressed on bodies with a pose, in a second pass adds to it. Only the
+  /// last pass of a step leaves bodies with a pose behind where they are. Collective.
+  void end(Bodies& bodies, double step, ContactPass pass = ContactPass::only);
 
  private:
   Grid grid_;

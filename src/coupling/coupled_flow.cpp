@@ -125,7 +125,7 @@ void CoupledFlow::begin_contact(double step) {
 void CoupledFlow::end_contact(double step) {
   if (!has_two_way_vertices_) return;
   const auto scope = timer_.measure("bodies: contact");
-  contact_.end(bodies_, step);
+  contact_.end(bodies_, step, has_one_way_ ? ContactPass::first : ContactPass::only);
 }
 
 void CoupledFlow::finish_soft_bodies(double step) {
@@ -172,7 +172,8 @@ void CoupledFlow::advance_one_way_bodies(double step) {
   if (!has_one_way_) return;
   settle();
   const auto scope = timer_.measure("bodies: motion");
-  advance_one_way(bodies_, sampler_, config_.fluid, contact_, step);
+  advance_one_way(bodies_, sampler_, config_.fluid, contact_, step,
+                  has_two_way_vertices_ ? ContactPass::second : ContactPass::only);
 }
 
 void CoupledFlow::diagnose() {

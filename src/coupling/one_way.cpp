@@ -46,7 +46,8 @@ int advance_one_way(DeformableBody& body, const FlowSampler& flow, const FluidCo
   return advance_in(Traction(body, flow, fluid), body, nullptr, step);
 }
 
-void advance_one_way(Bodies& bodies, const FlowSampler& flow, const FluidConfig& fluid, Contact& contact, double step) {
+void advance_one_way(Bodies& bodies, const FlowSampler& flow, const FluidConfig& fluid, Contact& contact, double step,
+                     ContactPass pass) {
   std::vector<Body*> moved;
   std::vector<Vec3> points;
   std::vector<std::size_t> begin(1, 0);
@@ -75,7 +76,7 @@ void advance_one_way(Bodies& bodies, const FlowSampler& flow, const FluidConfig&
     } catch (const RunError& error) { problem = error.what(); }
   }
   agree(ranks, problem);
-  contact.end(bodies, step);
+  contact.end(bodies, step, pass);
 }
 
 }  // namespace pliant

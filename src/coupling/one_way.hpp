@@ -12,7 +12,8 @@ namespace pliant {
 int advance_one_way(DeformableBody& body, const FlowSampler& flow, const FluidConfig& fluid, double step);
 
 /// The same for all deformable bodies of all ranks, with one sampling of the flow, and contact between bodies, of which
-/// those with a pose have already moved through the step. Collective. Throws CollectiveError.
-void advance_one_way(Bodies& bodies, const FlowSampler& flow, const FluidConfig& fluid, Contact& contact, double step);
+/// those with a pose have already moved through the step. `pass`: of contact. Collective. Throws CollectiveError.
+void advance_one_way(Bodies& bodies, const FlowSampler& flow, const FluidConfig& fluid, Contact& contact, double step,
+                     ContactPass pass);
 
 }  // namespace pliant

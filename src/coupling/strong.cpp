@@ -35,7 +35,7 @@ StrongCoupling::StrongCoupling(const Communicator& ranks, const CouplingConfig& 
     : ranks_(ranks),
       settings_(settings),
       relaxation_(ranks, settings.relaxation),
-      quasi_newton_(ranks, settings.relaxation) {}
+      quasi_newton_(ranks, settings.relaxation, settings.reuse) {}
 
 // Speaks for the body that changes most: agree takes the word of the rank that holds it.
 void StrongCoupling::fail(const StrongUnknowns& unknowns, std::span<const double> image, double change,
@@ -58,7 +58,7 @@ StrongReport StrongCoupling::advance(CoupledFlow& coupled, double time, double s
   StrongUnknowns unknowns(coupled, step);
   const bool by_secants = uses_quasi_newton(coupled);
   relaxation_.restart();
-  quasi_newton_.restart();
+  if (by_secants) quasi_newton_.restart(unknowns.kept_secants());
   StrongReport report;
   // Below this no velocity is worth telling from another: a cell in a billion steps.
   const double floor = 1e-9 * coupled.flow().grid().dx() / step;
@@ -85,6 +85,7 @@ StrongReport StrongCoupling::advance(CoupledFlow& coupled, double time, double s
     else relaxation_.relax(unknowns.values(), image);
   }
   unknowns.accept();
+  if (by_secants) unknowns.keep(quasi_newton_.secants_to_keep());
   coupled.finish_soft_bodies(step);
   coupled.accept();
   advance_loose_bodies(coupled, step);

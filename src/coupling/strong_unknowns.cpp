@@ -1,6 +1,7 @@
 #include "coupling/strong_unknowns.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "coupling/nodal_forces.hpp"
@@ -414,6 +415,49 @@ void StrongUnknowns::accept() {
     if (item.scheme == StrongScheme::hamming) accept_hamming(item);
     else item.body->scheme.clear();
   }
+}
+
+// A body's part: the number of secants, their ages, and residuals and images one secant after the other.
+void StrongUnknowns::keep(std::span<const Secant> secants) {
+  for (Item& item : items_) {
+    auto& kept = item.body->scheme;
+    kept.assign(1, static_cast<double>(secants.size()));
+    for (const Secant& secant : secants) kept.push_back(secant.age);
+    for (const Secant& secant : secants)
+      for (const auto* column : {&secant.residual, &secant.image}) {
+        const auto own = part(*column, item.begin, item.size);
+        kept.insert(kept.end(), own.begin(), own.end());
+      }
+  }
+}
+
+std::vector<Secant> StrongUnknowns::kept_secants() const {
+  const auto& ranks = coupled_.flow().grid().ranks();
+  std::array<double, QuasiNewton::most_secants + 1> head{};
+  for (const Item& item : items_)
+    for (std::size_t n = 0; n < std::min(head.size(), item.body->scheme.size()); ++n)
+      head[n] = std::max(head[n], n <= item.body->scheme[0] ? item.body->scheme[n] : 0.0);
+  head[0] = ranks.max(head[0]);
+  const auto count = std::min(static_cast<std::size_t>(head[0]), head.size() - 1);
+  for (std::size_t n = 1; n <= count; ++n) head[n] = ranks.max(head[n]);
+  bool agree = true;
+  for (const Item& item : items_) {
+    const auto& kept = item.body->scheme;
+    agree = agree && kept.size() == 1 + count + 2 * count * item.size &&
+            std::equal(head.begin(), head.begin() + 1 + static_cast<std::ptrdiff_t>(count), kept.begin());
+  }
+  if (count == 0 || ranks.max(agree ? 0.0 : 1.0) > 0) return {};
+  std::vector<Secant> secants(count);
+  for (std::size_t n = 0; n < count; ++n) {
+    secants[n].age = static_cast<int>(head[n + 1]);
+    for (const Item& item : items_) {
+      const auto begin = item.body->scheme.begin() + static_cast<std::ptrdiff_t>(1 + count + 2 * n * item.size);
+      const auto size = static_cast<std::ptrdiff_t>(item.size);
+      secants[n].residual.insert(secants[n].residual.end(), begin, begin + size);
+      secants[n].image.insert(secants[n].image.end(), begin + size, begin + 2 * size);
+    }
+  }
+  return secants;
 }
 
 }  // namespace pliant

@@ -4,6 +4,7 @@
 
 #include "coupling/coupled_flow.hpp"
 #include "coupling/hamming.hpp"
+#include "coupling/quasi_newton.hpp"
 #include "coupling/strong_vertices.hpp"
 
 namespace pliant {
@@ -36,6 +37,10 @@ class StrongUnknowns {
   std::string body_of_largest_change(std::span<const double> image) const;
   /// The step is done: the bodies keep the state of the last apply(), and their accelerations.
   void accept();
+  /// What the bodies have kept of earlier steps for quasi-Newton; nothing if they do not agree. Collective.
+  std::vector<Secant> kept_secants() const;
+  /// After accept(): each body takes its part along, to other ranks and into checkpoints.
+  void keep(std::span<const Secant> secants);
 
  private:
   struct Item {

@@ -8,6 +8,12 @@ namespace pliant {
 /// Strong coupling of a deformable body by fixed point: its unknowns are the forces of the flow on its vertices, as the
 /// change of velocity that they make in the step, the layer of fluid at the wall included: y = F dt / (m + rho h a).
 /// From them its motion follows as advance_forced makes it.
+///
+/// What the flow is told is the way over the step, V = (x' - x) / dt, not the velocity v' at its end, with which the
+/// wall goes on (mass_velocities). A stiff and light wall vibrates in a step that the flow resolves; with the added
+/// mass l of the flow, F = -l (V' - V) / dt, and V = v a mode of frequency w has solutions that grow wherever w dt is
+/// a little above pi, and none at all once l / m > 4.6 (1 + l/m sin(w dt) / (w dt) = 0). With the mean no mode grows
+/// for any l / m and w dt: what the force does to the way, (1 - cos(w dt)) / (w dt)^2, never changes its sign.
 class StrongVertices {
  public:
   StrongVertices() = default;
@@ -28,6 +34,7 @@ class StrongVertices {
   double step_ = 0;
   std::vector<double> masses_;  // with the layer
   std::vector<Vec3> positions_, velocities_;
+  std::vector<Vec3> own_velocities_;  // of its mass at the start
 };
 
 }  // namespace pliant

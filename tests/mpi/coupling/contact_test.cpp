@@ -113,5 +113,32 @@ TEST(Contact, AWallTurnsABallBack) {
   }
 }
 
+// Bodies that the flow does not feel have a pass of contact of their own, after those that act on it.
+TEST(Contact, ADeformableBodyPressesOnARigidOneWhereAnotherIsOneWay) {
+  const SharedFolder owner;
+  auto config = quiet_box();
+  config.repulsion.range = 0.15;
+  auto cushion = drop({0, 0, -0.45}, radius);
+  cushion.name = "cushion";
+  cushion.coupling = CouplingKind::force_spreading;
+  config.bodies = {thrown("stone", {0.05, 0, 0.45}, {0, 0, -1}), cushion};
+  config.time.max_steps = 12;
+  auto with_another = config;
+  with_another.bodies.push_back(drop({1.4, 1.4, 1.4}, radius));
+  std::vector<std::vector<Vec3>> centers, velocities, presses;
+  for (const auto& scene : {config, with_another}) {
+    Simulation simulation(scene, Communicator(), silent(owner.path() / std::to_string(centers.size())));
+    simulation.run();
+    const auto& bodies = simulation.bodies();
+    centers.push_back(all_vectors(bodies, [](const Body& b) { return b.pose.center; }));
+    velocities.push_back(all_vectors(bodies, [](const Body& b) { return b.pose.velocity; }));
+    presses.push_back(all_vectors(bodies, [](const Body& b) { return b.loads.pressed.force; }));
+  }
+  EXPECT_GT(presses[0][0].z, 0.1) << "they have met";
+  EXPECT_LT(norm(presses[1][0] - presses[0][0]), 1e-10 * norm(presses[0][0]));
+  EXPECT_LT(norm(velocities[1][0] - velocities[0][0]), 1e-11);
+  for (std::size_t b = 0; b < 2; ++b) EXPECT_LT(norm(centers[1][b] - centers[0][b]), 1e-12) << b;
+}
+
 }  // namespace
 }  // namespace pliant

@@ -172,5 +172,23 @@ TEST(BodyRestart, OfADeformableBodyThatIsCoupledStrongly) {
   expect_continued(config, Pairs::from_all_ranks);
 }
 
+// Its iterations use secants of earlier steps, which the checkpoint has to bring.
+TEST(BodyRestart, OfALightWallThatIsCoupledStrongly) {
+  auto config = small_box({9, 8, 9});
+  config.checkpoint.keep = 2;
+  config.output.history.every = 3;
+  config.output.surfaces.every = 3;
+  config.initial.flow = InitialFlow::taylor_green;
+  config.coupling.tolerance = 1e-12;
+  config.coupling.max_iterations = 200;
+  auto body = ball("shell", MotionKind::deformable, {0.1, 0.2, 0.3}, 1);
+  body.material.thickness = 0.01;
+  body.material.density = 10;
+  body.material.young = 3000;
+  body.coupling = CouplingKind::strong;
+  config.bodies = {body};
+  expect_continued(config, Pairs::from_all_ranks);
+}
+
 }  // namespace
 }  // namespace pliant
