@@ -26,6 +26,11 @@ COARSE_VALVE = {"mechanical": {f"body.{name}.surface.edge": 0.053 for name in HI
 # What is changed for the comparison of schemes, and the step over the case's own.
 SCHEMES = {"half the step": ({}, 0.5),
            "force-spreading, 0.4 of the step": ({"body.sack.coupling": "force-spreading"}, 0.4)}
+# Of a healthy heart: A/E = 0.5 and twice the ejection fraction, so that the peak of the E wave is three times as high. The jet is
+# still what is faster than half the peak mean velocity in the orifice.
+HEALTHY = {"signals.beat.formula": "phase < 0.30 ? sin(pi*phase/0.30)^2 : phase < 0.45 ? 0 : phase < 0.60 ? 0.5*sin(pi*(phase-0.45)/0.15)^2 : "
+                                   "phase < 0.62 ? 0 : phase < 0.98 ? -sin(pi*(phase-0.62)/0.36)^2 : 0",
+           "cavity.ventricle.ejection_fraction": 0.6, "cavity.ventricle.jet.threshold": 1.6}
 
 
 def further_options(parser):
@@ -33,6 +38,7 @@ def further_options(parser):
     parser.add_argument("--full", action="store_true", help="the case files' own 150^3 cells instead of 72^3")
     parser.add_argument("--schemes", action="store_true",
                         help="also compare couplings of the sack and half the step, over the E wave")
+    parser.add_argument("--healthy", action="store_true", help="also one cycle of a healthy amplitude with each valve: A/E = 0.5, EF = 0.6")
     parser.add_argument("--jobs", type=common.positive, default=1, help="runs at a time (default: 1)")
 
 
@@ -107,6 +113,10 @@ class Beat:
         reached = phase[filling & (depth >= 0.9)]
         mean = np.trapz(depth[filling], phase[filling]) / (phase[filling][-1] - phase[filling][0])
         return mean, np.interp(PEAK, phase, depth, right=np.nan), reached[0] if len(reached) else np.nan
+
+    def deepest(self):
+        """Largest depth of the jet in the E wave over that of the apex."""
+        return self.cavity["jet_depth_over_apex"][self.cavity["phase"] <= E_END].max()
 
     def leaflet(self, name):
         """Phases: half open, at the open stop, five degrees from it again, and at the closed stop after the start of ejection.
@@ -450,6 +460,23 @@ def judge(bounds, name, beat):
                        100 * beat.leak(LEAST) / beat.peak_flow, 5, " %")
 
 
+def judge_healthy(bounds, name, beat):
+    bounds.add(f"healthy, {name}: the run", beat.report["status"], "finished", beat.report["status"] == "finished" and beat.complete)
+    wanted = HEALTHY["cavity.ventricle.ejection_fraction"]
+    bounds.within(f"healthy, {name}: ejection fraction", beat.ejection, wanted - 0.01, wanted + 0.01)
+    bounds.at_least(f"healthy, {name}: largest jet depth over that of the apex in the E wave", beat.deepest(), 0.9)
+
+
+def healthy_table(beats):
+    rows = []
+    for name, beat in beats.items():
+        mean, at_peak, reached = beat.jet()
+        rows.append([name, f"{beat.ejection:.4f}", f"{beat.peak_flow:.2f}", number(mean), number(at_peak), number(beat.deepest()),
+                     number(reached), number(beat.fastest(PEAK), 2)])
+    return common.markdown_table(["healthy: A/E = 0.5", "EF", "largest flow rate, U d^2", "jet depth over that of the apex, mean of the E wave",
+                                  "at the peak", "largest", "0.9 at t/T", "largest speed at the peak, U"], rows)
+
+
 def number(value, digits=3):
     return "-" if np.isnan(value) else f"{value:.{digits}f}"
 
@@ -563,7 +590,8 @@ def main():
     if len(beats) == 2:
         deeper = beats["natural"].jet()[0] / beats["mechanical"].jet()[0]
         bounds.at_least("jet depth, mean of the E wave: natural over mechanical", deeper, 1)
-    text = bounds.markdown() + "\n" + tables(beats) + "\n" + shear_table(beats)
+    text = tables(beats) + "
+" + shear_table(beats)
     if arguments.schemes:
         base = Beat(outs["mechanical" + size], cycle=0)
         step = base.case["time"]["step"]
@@ -571,9 +599,15 @@ def main():
                                       settings(arguments, "mechanical", 1, {**changed, "time.step": step * part, "time.end": f"{3.6 * E_END:g} s"}))
                                      for name, (changed, part) in SCHEMES.items()])
         text += "\n" + compare_schemes(base, dict(zip(SCHEMES, (Beat(out, cycle=0) for out in others.values()))))
-    options = [word for word in sys.argv[1:] if word in ("--full", "--schemes", "--update-readme")]
+    if arguments.healthy:
+        outs = execute(arguments, [(f"{valve}{size}-healthy", valve, settings(arguments, valve, 1, HEALTHY)) for valve in valves])
+        healthy = {valve: Beat(outs[f"{valve}{size}-healthy"], cycle=0) for valve in valves}
+        for name, beat in healthy.items():
+            judge_healthy(bounds, name, beat)
+        text += "\n" + healthy_table(healthy)
+    options = [word for word in sys.argv[1:] if word in ("--full", "--schemes", "--healthy", "--update-readme")]
     command = " ".join(["cases/left-ventricle/check.py", f"--cycles {cycles}", *options])
-    text = common.how_measured(beats["mechanical"].report, command) + "\n" + text
+    text = common.how_measured(beats["mechanical"].report, command) + "\n" + bounds.markdown() + "\n" + text
     return common.conclude(arguments, CASE, text, bounds, lambda picture: draw(beats, picture))
 
 
