@@ -590,8 +590,7 @@ def main():
     if len(beats) == 2:
         deeper = beats["natural"].jet()[0] / beats["mechanical"].jet()[0]
         bounds.at_least("jet depth, mean of the E wave: natural over mechanical", deeper, 1)
-    text = tables(beats) + "
-" + shear_table(beats)
+    text = tables(beats) + "\n" + shear_table(beats)
     if arguments.schemes:
         base = Beat(outs["mechanical" + size], cycle=0)
         step = base.case["time"]["step"]
