@@ -164,7 +164,7 @@ TEST(BodyRestart, OfADeformableBodyThatIsCoupledStrongly) {
   config.output.history.every = 3;
   config.output.surfaces.every = 3;
   config.initial.flow = InitialFlow::taylor_green;
-  config.coupling.tolerance = 1e-12;
+  config.coupling.tolerance = 1e-13;
   auto body = drop({0.1, 0.2, 0.3}, 1);
   body.coupling = CouplingKind::strong;
   body.mass_per_vertex = 1;
@@ -179,7 +179,7 @@ TEST(BodyRestart, OfALightWallThatIsCoupledStrongly) {
   config.output.history.every = 3;
   config.output.surfaces.every = 3;
   config.initial.flow = InitialFlow::taylor_green;
-  config.coupling.tolerance = 1e-12;
+  config.coupling.tolerance = 1e-13;
   config.coupling.max_iterations = 200;
   auto body = ball("shell", MotionKind::deformable, {0.1, 0.2, 0.3}, 1);
   body.material.thickness = 0.01;
