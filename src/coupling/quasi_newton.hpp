@@ -16,7 +16,7 @@ struct Secant {
 /// Comput. Struct. 87 (2009) 793-801): from the residuals r = G(x) - x and images of earlier iterations,
 ///   x_k+1 = x_k + U c + w (r_k + V c),  c: min |V c + r_k|,  V = [r_i - r_k], U = [x_i - x_k].
 /// w, the first factor, is for what secants say nothing of: a light wall answers with many times what it was told, and
-/// 1 would let that grow until secants say it all (13 iterations instead of 10 for a wall of 0.03 of the fluid's mass).
+/// 1 lets that grow until secants say it all (13 iterations, 10 with 0.3, for a wall of 0.03 of the fluid's mass).
 /// Secants of the last `reuse` fixed points serve too, as long as they are linearly independent of newer ones: what G
 /// does to many unknowns takes many iterations to learn, and changes little from step to step.
 /// Each rank holds its own part of x; least squares run over all ranks.
