@@ -118,7 +118,11 @@ def measure(arguments):
                     continue
                 steps = arguments.steps
                 if arguments.around:
-                    largest = held[(scheme, mass, stiffness)]
+                    largest = held.get((scheme, mass, stiffness))
+                    if largest is None:
+                        print("{} m {} E {}: no step is known with {} cells a radius; left out".format(
+                            scheme, mass, stiffness, arguments.around), flush=True)
+                        continue
                     steps = [number for number in STEPS if number >= largest][-2:]
                 tried = []
                 for number in steps:
