@@ -398,7 +398,7 @@ struct BodyConfig {
   MotionKind motion = MotionKind::deformable;
   CouplingKind coupling = CouplingKind::automatic;
   PathConfig path;
-  bool contact = true;                      ///< takes part in repulsion
+  bool contact = true;                     ///< takes part in repulsion
   std::optional<ScheduleConfig> schedule;  ///< none: it always acts
   MaterialConfig material;
   RigidConfig rigid;
@@ -406,6 +406,8 @@ struct BodyConfig {
   LoadSource loads = LoadSource::momentum_balance;
   int marker_refinement = 0;                ///< markers along the edge of a face; 0: as many as the grid asks for
   std::optional<double> marker_retraction;  ///< spacings; default: transfer's, 0 for deformable bodies
+  bool tight = false;                       ///< of a fixed open body: no net flow passes it
+  std::vector<std::string> tight_parts;     ///< selections that this holds for one by one, and for the rest
   bool thin_sheet = true;                   ///< of an open surface: forces along it as a sheet without thickness takes
   std::optional<double> mass_per_vertex;    ///< default: from thickness and density; else 1 one-way, 0 two-way
   bool held = false;                        ///< its mean velocity is kept zero

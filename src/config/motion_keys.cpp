@@ -170,6 +170,22 @@ void add_motion_keys(std::vector<BodyKey>& keys) {
            "which acts as one about a spacing thick"},
           [](auto& b) { return &b.thin_sheet; }),
       "coupling is not \"one-way\"", [](const BodyConfig& b) { return b.coupling != CouplingKind::one_way; }));
+  const auto fixed = [](BodyKey key) {
+    return only_when<BodyConfig>(
+        std::move(key), "motion is \"fixed\" and coupling is not \"one-way\"",
+        [](const BodyConfig& b) { return b.motion == MotionKind::fixed && b.coupling != CouplingKind::one_way; });
+  };
+  keys.push_back(
+      fixed(make_key<BodyConfig>({"tight", "",
+                                  "of an open surface: no net flow passes it, to round-off, at any moment; for walls "
+                                  "that part the box, and valves in them. Costs the memory of a field a part, and a "
+                                  "pass over the flow in each substep"},
+                                 [](auto& b) { return &b.tight; })));
+  keys.push_back(
+      fixed(make_key<BodyConfig>({"tight_parts", "",
+                                  "selections for which that holds one by one, and for the rest of the surface: one "
+                                  "for each part of the box that the surface borders on"},
+                                 [](auto& b) { return &b.tight_parts; })));
   const auto soft = [](BodyKey key) {
     return only_when<BodyConfig>(
         std::move(key), "motion is \"deformable\" and coupling is not \"one-way\"",

@@ -102,6 +102,17 @@ class StructureValidator : private BodyValidator {
                               known.empty() ? "none: write [body.selection." + name + "]" : known));
   }
 
+  void check_tightness(const BodyConfig& body) {
+    if (!trusted({"tight", "tight_parts"})) return;
+    if (!body.tight && !body.tight_parts.empty())
+      complain("tight_parts", "names parts of a tight surface, but tight is false; set tight = true");
+    if (body.tight && trusted({"surface.shape", "surface.file", "surface.open", "surface.ends"}) &&
+        !is_open_surface(body.surface))
+      complain("tight",
+               "is true, but the surface is closed: what flows into it flows out of it, and there is no net flow to "
+               "hold; leave it out");
+  }
+
   void check_uses(const BodyConfig& body) {
     const bool soft = body.coupling == CouplingKind::automatic || body.coupling == CouplingKind::force_spreading ||
                       body.coupling == CouplingKind::local_mass;
@@ -110,6 +121,8 @@ class StructureValidator : private BodyValidator {
                "is for bodies that move with the flow; set coupling = \"force-spreading\" or \"local-mass\"");
     for (const auto& name : body.pinned) require_selection(body, "pinned", name);
     for (const auto& name : body.watch) require_selection(body, "watch", name);
+    for (const auto& name : body.tight_parts) require_selection(body, "tight_parts", name);
+    check_tightness(body);
     for (const auto& tether : body.tethers)
       require_selection(body, "tether." + tether.name + ".selection", tether.selection);
     for (const auto& pull : body.pulls) require_selection(body, "pull." + pull.name + ".selection", pull.selection);
@@ -131,7 +144,7 @@ class StructureValidator : private BodyValidator {
                              "\"deformable\"",
                              word_for(body.motion)));
     };
-    refuse(PartKind::selection, body.selections);
+    if (body.tight_parts.empty()) refuse(PartKind::selection, body.selections);
     refuse(PartKind::tether, body.tethers);
     refuse(PartKind::cord, body.cords);
     refuse(PartKind::pull, body.pulls);

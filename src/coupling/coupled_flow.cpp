@@ -22,9 +22,10 @@ CoupledFlow::CoupledFlow(const CaseConfig& config, FlowSolver& flow, Bodies& bod
       contact_(flow.grid(), config),
       copies_(flow.grid()),
       sampler_(flow.grid(), fields_of(flow), config.fluid.density) {
-  bool has_forced = false;
+  bool has_forced = false, has_tight = false;
   for (const auto& kind : bodies.kinds()) {
     has_forced |= kind.forces_flow();
+    has_tight |= !kind.tight_parts.empty();
     if (kind.coupling == CouplingKind::force_spreading && !force_spreading_)
       force_spreading_.emplace(flow.grid(), config, bodies, contact_);
     if (kind.coupling == CouplingKind::local_mass && !local_mass_)
@@ -42,6 +43,7 @@ CoupledFlow::CoupledFlow(const CaseConfig& config, FlowSolver& flow, Bodies& bod
   boundary_->place(bodies_, MarkerGroup::fixed);
   boundary_->place(bodies_, MarkerGroup::moving);
   if (start == RunStart::anew) boundary_->adopt_inner_motion(bodies_, flow_.state());
+  if (has_tight) tight_walls_.emplace(flow_, bodies_);
 }
 
 void CoupledFlow::follow_schedules(double time) {
@@ -94,6 +96,7 @@ FlowHooks CoupledFlow::hooks() {
       if (!forces) return;
       const auto scope = timer_.measure("bodies: forcing, within fluid");
       boundary_->apply(substep, dt, u, v, w);
+      if (tight_walls_ && tight_walls_->any(bodies_)) tight_walls_->apply(bodies_, u, v, w);
     };
   return hooks;
 }
@@ -102,6 +105,7 @@ void CoupledFlow::advance_fluid(double step) {
   last_step_ = step;
   const auto scope = timer_.measure("fluid");
   if (boundary_) boundary_->begin_step(bodies_);
+  if (tight_walls_) tight_walls_->begin_step();
   if (local_mass_) local_mass_->begin();
   flow_.advance(step, hooks());
 }
@@ -176,10 +180,20 @@ void CoupledFlow::advance_one_way_bodies(double step) {
                   has_two_way_vertices_ ? ContactPass::second : ContactPass::only);
 }
 
+void CoupledFlow::add_loads_of_tight_walls() {
+  for (Body& body : bodies_.own()) {
+    if (bodies_.kind_of(body).tight_parts.empty() || !bodies_.is_on(body)) continue;
+    auto& loads = body.loads;
+    loads.reaction = loads.reaction + tight_walls_->load_on(body, last_step_);
+    loads.balance = loads.reaction;
+  }
+}
+
 void CoupledFlow::diagnose() {
   if (!is_two_way_) return;
   flow_.settle();
   if (boundary_ && last_step_ > 0) boundary_->find_reactions(bodies_, MarkerGroup::fixed, last_step_, driving());
+  if (tight_walls_ && last_step_ > 0) add_loads_of_tight_walls();
   if (force_spreading_) force_spreading_->measure_slip(flow_.state());
   if (local_mass_) local_mass_->measure_slip(flow_.state());
   if (boundary_) boundary_->measure_slip(bodies_, flow_.state());

@@ -7,6 +7,7 @@
 #include "coupling/forced_vertices.hpp"
 #include "coupling/immersed_boundary.hpp"
 #include "coupling/local_mass.hpp"
+#include "coupling/tight_walls.hpp"
 #include "flow/flow_solver.hpp"
 #include "transfer/mls_sampler.hpp"
 
@@ -78,6 +79,7 @@ class CoupledFlow {
  private:
   Vec3 driving() const;
   bool is_followed() const;
+  void add_loads_of_tight_walls();
   void settle();
   FlowHooks hooks();
 
@@ -85,6 +87,7 @@ class CoupledFlow {
   FlowSolver& flow_;
   Bodies& bodies_;
   std::optional<ImmersedBoundary> boundary_;  // if the flow has to follow a body
+  std::optional<TightWalls> tight_walls_;
   std::optional<ForceSpreading> force_spreading_;
   std::optional<LocalMass> local_mass_;
   Contact contact_;

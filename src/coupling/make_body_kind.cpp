@@ -4,15 +4,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "config/validate.hpp"
 #include "core/angles.hpp"
 #include "core/error.hpp"
 #include "coupling/added_mass.hpp"
+#include "coupling/tight_walls.hpp"
 #include "mesh/geometry.hpp"
 #include "signals/make_signal.hpp"
 #include "structure/make_body.hpp"
 #include "structure/placement.hpp"
+#include "structure/select_vertices.hpp"
 #include "structure/stable_time_step.hpp"
 #include "transfer/direct_forcing.hpp"
 
@@ -123,6 +126,27 @@ void set_shape(BodyKind& kind, const Grid& grid) {
   else if (retraction > 0) kind.layout.draw_in(body.mesh, body.positions, retraction);
 }
 
+/// The selections that the case names, each without what is in one before it, and the rest.
+void set_tight_parts(BodyKind& kind, const std::vector<NamedVertices>& of_surface, const Grid& grid) {
+  if (!kind.config.tight) return;
+  const auto& body = kind.prototype;
+  kind.flux_layout = MarkerLayout(
+      body.mesh, refinement_for(body.mesh, body.positions, TightWalls::flux_edge * grid.smallest_spacing()));
+  std::vector<bool> is_free(body.positions.size(), true);
+  const auto add = [&](const std::vector<int>& vertices) {
+    std::vector<int> part;
+    for (int v : vertices)
+      if (is_free[static_cast<std::size_t>(v)]) part.push_back(v);
+    for (int v : part) is_free[static_cast<std::size_t>(v)] = false;
+    if (!part.empty()) kind.tight_parts.push_back(std::move(part));
+  };
+  for (const auto& name : kind.config.tight_parts)
+    add(select_vertices(kind.config, name, body.mesh, body.positions, of_surface));
+  std::vector<int> all(body.positions.size());
+  std::iota(all.begin(), all.end(), 0);
+  add(all);
+}
+
 /// The step of the flow at the largest speed that the case names.
 double convective_step(const CaseConfig& config, const Grid& grid) {
   double rate = grid.convective_rate(config.initial.velocity);
@@ -211,6 +235,7 @@ void require_short_range(const BodyKind& kind, const CaseConfig& config) {
 BodyKind make_body_kind(const CaseConfig& config, std::size_t index, Surface shape, const Grid& grid) {
   BodyKind kind;
   kind.config = config.bodies[index];
+  const auto selections = shape.selections;
   kind.prototype = make_body(kind.config, std::move(shape), grid.mean_spacing(), config.fluid.density);
   auto& body = kind.prototype;
   const bool closed = body.mesh.is_closed();
@@ -225,6 +250,7 @@ BodyKind make_body_kind(const CaseConfig& config, std::size_t index, Surface sha
     kind.centroid = shell_mass_properties(body.mesh, body.positions, 1.0, 1.0).centroid;
   }
   set_shape(kind, grid);
+  set_tight_parts(kind, selections, grid);
   if (kind.config.motion == MotionKind::rigid) set_rigid(kind, material, config);
   if (kind.config.motion == MotionKind::hinge) set_hinge(kind, material);
   if (kind.config.motion == MotionKind::prescribed) set_path(kind, config);

@@ -152,6 +152,16 @@ void FlowSolver::project_initial() {
   m.forget_rate();
 }
 
+void FlowSolver::find_potential(ConstView<FaceX> u, ConstView<FaceY> v, ConstView<FaceZ> w, View<Center> potential) {
+  settle();
+  auto& m = *impl_;
+  const auto phi = m.phi.view();
+  for (int k = 0; k < m.grid.nz(); ++k) for_rows(m.grid.ny(), DivergenceRows(m.grid, u, v, w, 1, phi.at_plane(k), k));
+  m.poisson.solve(phi);
+  for (int k = 0; k < m.grid.nz(); ++k)
+    for (int j = 0; j < m.grid.ny(); ++j) std::copy_n(phi.at_row(j, k), m.grid.nx(), potential.at_row(j, k));
+}
+
 void FlowSolver::advance(double dt, const FlowHooks& hooks) {
   auto& m = *impl_;
   m.forcing_of_step = 0;

@@ -95,6 +95,9 @@ class FlowSolver {
   /// Makes the velocity of the state solenoidal (used once, after an initial field that is not). Open sides take their
   /// values from the field next to them and from the time.
   void project_initial();
+  /// phi with lap phi = div of a velocity whose ghosts are filled and which is zero at the sides of the box: in the
+  /// interior, up to a constant. Settles. Collective.
+  void find_potential(ConstView<FaceX> u, ConstView<FaceY> v, ConstView<FaceZ> w, View<Center> potential);
 
   /// Time of the state; inflows with a ramp depend on it. Every step adds to it.
   double time() const;

@@ -20,3 +20,5 @@ pliant_test(coupling_scales_test SOURCES ${CMAKE_CURRENT_LIST_DIR}/scales_test.c
 pliant_test(coupling_wall_shear_test SOURCES ${CMAKE_CURRENT_LIST_DIR}/wall_shear_test.cpp LIBS pliant_simulation
   RANKS 1 2 3 4)
 pliant_test(coupling_walls_test SOURCES ${CMAKE_CURRENT_LIST_DIR}/walls_test.cpp LIBS pliant_simulation RANKS 1 2 3 4)
+pliant_test(coupling_tight_walls_test SOURCES ${CMAKE_CURRENT_LIST_DIR}/tight_walls_test.cpp LIBS pliant_simulation
+  RANKS 1 2 3 4)

@@ -118,6 +118,18 @@ TEST(Motions, RepulsionHasARangeAndAStrength) {
               ElementsAre(HasSubstr("case.toml:3: repulsion.range is 3, more than half of the periodic direction y")));
 }
 
+TEST(Motions, TightSurfacesAreOpenAndStandStill) {
+  EXPECT_THAT(problems_of(ball("fixed", "tight = true")),
+              ElementsAre(HasSubstr("case.toml:6: body.a.tight is true, but the surface is closed")));
+  EXPECT_THAT(problems_of(plate("fixed", "tight = true\ntight_parts = [\"half\"]\n[body.selection]\nhalf = { plane = "
+                                         "{ point = [0, 0, 0], normal = [1, 0, 0], side = \"beyond\" } }")),
+              IsEmpty());
+  EXPECT_THAT(problems_of(plate("fixed", "tight_parts = [\"border\"]\n[body.selection]\nborder = { border = true }")),
+              ElementsAre(HasSubstr("body.a.tight_parts names parts of a tight surface, but tight is false")));
+  EXPECT_THAT(problems_of(plate("fixed", "tight = true\ntight_parts = [\"hafl\"]")),
+              ElementsAre(HasSubstr("body.a.tight_parts names \"hafl\", which is no selection of the body")));
+}
+
 TEST(Motions, AllProblemsAreTold) {
   EXPECT_EQ(problems_of(ball("hinge",
                              "coupling = \"one-way\"\ntraction.form = \"drag\"\nhinge = { axis = [0, 0, 0], "

@@ -1,0 +1,326 @@
+// GCC 12 takes the undefined operands of its own AVX-512 intrinsics for uninitialised variables.
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#endif
+
+#include "coupling/tight_walls.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "boundary/fill_ghosts.hpp"
+#include "boundary/periodic_ghosts.hpp"
+#include "core/lanes.hpp"
+#include "core/loops.hpp"
+#include "transfer/point_router.hpp"
+#include "transfer/velocity_copies.hpp"
+
+namespace pliant {
+namespace {
+
+// Fluxes that follow from others, or from the sides of the box, cannot be chosen: eigenvalues of the response below
+// this, over those in a fluid without pressure. A plate around two orifices of a tank has a hundredth, one that closes
+// the box a ten-millionth.
+constexpr double least_response = 1e-4;
+
+// sum_i ax u_i (p_i - p_{i+1}) + ay v_i (p_i - n_i) + az w_i (p_i - t_i): a row's part of sum_c phi div(u) dV.
+double row_sum(int nx, const double* p, const double* n, const double* t, const double* u, const double* v,
+               const double* w, double ax, double ay, double az) {
+  Lanes lanes{};
+  const int whole = nx / n_lanes * n_lanes;
+  for (int i = 0; i < whole; i += n_lanes) {
+    const Lanes here = load_lanes(p + i);
+    lanes += ax * load_lanes(u + i) * (here - load_lanes(p + i + 1)) +
+             ay * load_lanes(v + i) * (here - load_lanes(n + i)) + az * load_lanes(w + i) * (here - load_lanes(t + i));
+  }
+  double rest = 0;
+  for (int i = whole; i < nx; ++i)
+    rest += ax * u[i] * (p[i] - p[i + 1]) + ay * v[i] * (p[i] - n[i]) + az * w[i] * (p[i] - t[i]);
+  return sum(lanes) + rest;
+}
+
+// What enters through the lower sides of the box; through the upper ones it is in the sums over rows.
+double lower_sides(const Grid& grid, ConstView<Center> phi, ConstView<FaceX> u, ConstView<FaceY> v,
+                   ConstView<FaceZ> w) {
+  const int nx = grid.nx(), ny = grid.ny(), nz = grid.nz();
+  double sum = 0;
+  for (int k = 0; k < nz; ++k) {
+    const double dz = grid.dz_c()[k];
+    if (!grid.is_periodic(0))
+      for (int j = 0; j < ny; ++j) sum -= grid.dy() * dz * u(-1, j, k) * phi(0, j, k);
+    if (!grid.is_periodic(1))
+      for (int i = 0; i < nx; ++i) sum -= grid.dx() * dz * v(i, -1, k) * phi(i, 0, k);
+  }
+  if (grid.has_bottom())
+    for (int j = 0; j < ny; ++j)
+      for (int i = 0; i < nx; ++i) sum -= grid.dx() * grid.dy() * w(i, j, -1) * phi(i, j, 0);
+  return sum;
+}
+
+/// The two nodes of a line that a point lies between, and their shares in its value.
+struct Between {
+  int node[2] = {0, 0};
+  double share[2] = {0, 0};
+};
+
+// Beyond the outermost centre its value goes on to the side; a side's own face is no unknown and has no share.
+Between between_uniform(double place, bool at_faces, bool is_periodic, int n) {
+  const double s = place - (at_faces ? 1.0 : 0.5), lower = std::floor(s);
+  Between found;
+  for (int c = 0; c < 2; ++c) {
+    int node = static_cast<int>(lower) + c;
+    double share = c == 0 ? lower + 1 - s : s - lower;
+    if (is_periodic) node = (node % n + n) % n;
+    else if (!at_faces) node = std::clamp(node, 0, n - 1);
+    else if (node < 0 || node >= n - 1) node = 0, share = 0;
+    found.node[c] = node;
+    found.share[c] = share;
+  }
+  return found;
+}
+
+// Along z of this rank's own planes: others have none.
+Between between_planes(const Grid& grid, double z, bool at_faces) {
+  const auto nodes = at_faces ? grid.z_face() : grid.z_center();
+  const int nz = grid.nz();
+  Between found;
+  if (!(nodes[-1] <= z && z < nodes[nz])) return found;
+  int lower = -1;
+  for (int upper = nz; upper - lower > 1;) {
+    const int middle = (lower + upper) / 2;
+    (nodes[middle] <= z ? lower : upper) = middle;
+  }
+  const double part = (z - nodes[lower]) / (nodes[lower + 1] - nodes[lower]);
+  for (int c = 0; c < 2; ++c) {
+    int node = lower + c;
+    double share = c == 0 ? 1 - part : part;
+    if (!at_faces && grid.has_bottom()) node = std::max(node, 0);
+    if (!at_faces && grid.has_top()) node = std::min(node, nz - 1);
+    if (node < 0 || node >= nz || (at_faces && grid.has_top() && node == nz - 1)) node = 0, share = 0;
+    found.node[c] = node;
+    found.share[c] = share;
+  }
+  return found;
+}
+
+// Adds the weights with which the nodes of a component make its values at points, times an amount each.
+template <class Location>
+void add_weights(const Grid& grid, std::span<const Vec3> points, std::span<const Vec3> amounts, int component,
+                 View<Location> f) {
+  constexpr bool on_x = std::is_same_v<Location, FaceX>, on_y = std::is_same_v<Location, FaceY>,
+                 on_z = std::is_same_v<Location, FaceZ>;
+  const double height = grid.size().z;
+  for (std::size_t m = 0; m < points.size(); ++m) {
+    const Vec3 x = points[m] - grid.origin();
+    const auto i = between_uniform(x.x / grid.dx(), on_x, grid.is_periodic(0), grid.nx());
+    const auto j = between_uniform(x.y / grid.dy(), on_y, grid.is_periodic(1), grid.ny());
+    for (int turn = grid.is_periodic(2) ? -1 : 0; turn <= (grid.is_periodic(2) ? 1 : 0); ++turn) {
+      const auto k = between_planes(grid, points[m].z + turn * height, on_z);
+      for (int c = 0; c < 2; ++c)
+        for (int b = 0; b < 2; ++b)
+          for (int a = 0; a < 2; ++a)
+            f(i.node[a], j.node[b], k.node[c]) += i.share[a] * j.share[b] * k.share[c] * amounts[m][component];
+    }
+  }
+}
+
+template <class Location>
+double volume_of(const Grid& grid, int k) {
+  const double dz = std::is_same_v<Location, FaceZ> ? grid.dz_f()[k] : grid.dz_c()[k];
+  return grid.dx() * grid.dy() * dz;
+}
+
+// From weights to g: over the volumes of the nodes.
+template <class Nodes, class Location>
+void keep_nodes(const Grid& grid, View<Location> f, Nodes& nodes) {
+  for (int k = 0; k < grid.nz(); ++k)
+    for (int j = 0; j < grid.ny(); ++j)
+      for (int i = 0; i < grid.nx(); ++i) {
+        double& value = f(i, j, k);
+        if (value == 0) continue;
+        const double weight = value;
+        value /= volume_of<Location>(grid, k);
+        nodes.push_back({&value - f.origin, value, weight});
+      }
+}
+
+template <class Nodes, class Location>
+double flux_through(const Nodes& nodes, ConstView<Location> f) {
+  double sum = 0;
+  for (const auto& node : nodes) sum += node.weighted * f.origin[node.offset];
+  return sum;
+}
+
+template <class Nodes, class Location>
+void subtract(const Nodes& nodes, double factor, View<Location> f) {
+  for (const auto& node : nodes) f.origin[node.offset] -= factor * node.g;
+}
+
+}  // namespace
+
+// What it takes to find a part, used again for the next.
+struct TightWalls::Workspace {
+  explicit Workspace(const Grid& grid)
+      : router(grid),
+        copies(grid),
+        halo(grid.ranks(), grid.is_periodic(2) ? SlabHalo::Ends::periodic : SlabHalo::Ends::bounded, grid.nz()),
+        u(grid),
+        v(grid),
+        w(grid) {}
+  void clear(const Grid& grid) {
+    u = Field<FaceX>(grid);
+    v = Field<FaceY>(grid);
+    w = Field<FaceZ>(grid);
+  }
+  PointRouter router;
+  VelocityCopies copies;
+  SlabHalo halo;
+  Field<FaceX> u;
+  Field<FaceY> v;
+  Field<FaceZ> w;
+};
+
+TightWalls::TightWalls(FlowSolver& flow, const Bodies& bodies)
+    : grid_(flow.grid()), density_(flow.parameters().density) {
+  Workspace work(grid_);
+  for (std::size_t k = 0; k < bodies.kinds().size(); ++k) {
+    const auto& kind = bodies.kinds()[k];
+    for (long id = bodies.first_id(k); id < bodies.first_id(k) + bodies.count(k); ++id)
+      for (std::size_t n = 0; n < kind.tight_parts.size(); ++n) {
+        Part part(grid_);
+        part.kind = k;
+        part.body = id;
+        add_part(flow, bodies.find(id), kind, n, part, work);
+        parts_.push_back(std::move(part));
+      }
+  }
+  const auto n = static_cast<Eigen::Index>(parts_.size());
+  response_.resize(n, n);
+  free_.resize(n);
+  for (Eigen::Index s = 0; s < n; ++s) {
+    const Part& part = parts_[static_cast<std::size_t>(s)];
+    work.clear(grid_);
+    subtract(part.u, -1, work.u.view());
+    subtract(part.v, -1, work.v.view());
+    subtract(part.w, -1, work.w.view());
+    const auto u = std::as_const(work.u).view();
+    const auto v = std::as_const(work.v).view();
+    const auto w = std::as_const(work.w).view();
+    const auto fluxes = fluxes_after_projection(u, v, w);
+    for (Eigen::Index r = 0; r < n; ++r) response_(r, s) = fluxes[static_cast<std::size_t>(r)];
+    free_[s] = grid_.ranks().sum(flux_through(part.u, u) + flux_through(part.v, v) + flux_through(part.w, w));
+  }
+  response_ = (0.5 * (response_ + response_.transpose())).eval();
+}
+
+// The flow between nodes is linear in each direction, so that a plane of the grid counts each of its nodes alike.
+void TightWalls::add_part(FlowSolver& flow, const Body* body, const BodyKind& kind, std::size_t n, Part& part,
+                          Workspace& work) {
+  MarkerSet markers;
+  std::vector<Vec3> vectors;
+  if (body != nullptr) {
+    const auto& surface = body->surface;
+    kind.flux_layout.place(surface.positions, surface.velocities, markers);
+    std::vector<Vec3> of_vertices(surface.positions.size()), share(markers.areas.size());
+    for (int v : kind.tight_parts[n]) of_vertices[static_cast<std::size_t>(v)] = {1, 0, 0};
+    kind.flux_layout.interpolate(of_vertices, share);
+    for (std::size_t m = 0; m < share.size(); ++m)
+      vectors.push_back(share[m].x * markers.areas[m] * markers.normals[m]);
+    part.of_unit_pressure = total_load(markers.positions, vectors, body->pose.center);
+  }
+  work.router.route(markers.positions);
+  std::vector<Vec3> held;
+  work.router.send(vectors, held);
+  work.clear(grid_);
+  add_weights(grid_, work.router.held(), held, 0, work.u.view());
+  add_weights(grid_, work.router.held(), held, 1, work.v.view());
+  add_weights(grid_, work.router.held(), held, 2, work.w.view());
+  keep_nodes(grid_, work.u.view(), part.u);
+  keep_nodes(grid_, work.v.view(), part.v);
+  keep_nodes(grid_, work.w.view(), part.w);
+  work.copies.fill(work.u.view(), work.v.view(), work.w.view());
+  flow.find_potential(std::as_const(work.u).view(), std::as_const(work.v).view(), std::as_const(work.w).view(),
+                      part.potential.view());
+  for (int k = 0; k < grid_.nz(); ++k) fill_periodic_ghosts(part.potential.view(), grid_, k);
+  work.halo.fill({plane_stack(part.potential)});
+}
+
+bool TightWalls::any(const Bodies& bodies) const {
+  return std::any_of(parts_.begin(), parts_.end(), [&](const Part& part) { return bodies.is_on(part.kind); });
+}
+
+void TightWalls::begin_step() {
+  for (Part& part : parts_) part.taken = 0;
+}
+
+// The pseudo-inverse, scaled by what the parts would do alone in a fluid without pressure.
+void TightWalls::follow(const Bodies& bodies) {
+  std::vector<bool> now;
+  for (const Part& part : parts_) now.push_back(bodies.is_on(part.kind));
+  if (now == is_on_) return;
+  is_on_ = std::move(now);
+  const auto n = static_cast<Eigen::Index>(parts_.size());
+  Eigen::VectorXd scale(n);
+  for (Eigen::Index r = 0; r < n; ++r)
+    scale[r] = is_on_[static_cast<std::size_t>(r)] && free_[r] > 0 ? 1 / std::sqrt(free_[r]) : 0;
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(scale.asDiagonal() * response_ * scale.asDiagonal());
+  const Eigen::VectorXd inverse =
+      solver.eigenvalues().unaryExpr([](double e) { return e > least_response ? 1 / e : 0.0; });
+  const Eigen::MatrixXd modes = scale.asDiagonal() * solver.eigenvectors();
+  correction_ = modes * inverse.asDiagonal() * modes.transpose();
+}
+
+std::vector<double> TightWalls::fluxes_after_projection(ConstView<FaceX> u, ConstView<FaceY> v,
+                                                        ConstView<FaceZ> w) const {
+  std::vector<double> sums(parts_.size());
+  const auto counts = [&](std::size_t r) { return is_on_.empty() || is_on_[r]; };
+  for (int k = 0; k < grid_.nz(); ++k) {
+    const double ax = grid_.dy() * grid_.dz_c()[k], ay = grid_.dx() * grid_.dz_c()[k], az = grid_.dx() * grid_.dy();
+    for_rows(grid_.ny(), [&](int j) {
+      for (std::size_t r = 0; r < parts_.size(); ++r) {
+        if (!counts(r)) continue;
+        const auto phi = parts_[r].potential.view();
+        sums[r] += row_sum(grid_.nx(), phi.at_row(j, k), phi.at_row(j + 1, k), phi.at_row(j, k + 1), u.at_row(j, k),
+                           v.at_row(j, k), w.at_row(j, k), ax, ay, az);
+      }
+    });
+  }
+  for (std::size_t r = 0; r < parts_.size(); ++r) {
+    if (!counts(r)) continue;
+    const Part& part = parts_[r];
+    sums[r] += lower_sides(grid_, part.potential.view(), u, v, w) + flux_through(part.u, u) + flux_through(part.v, v) +
+               flux_through(part.w, w);
+  }
+  grid_.ranks().sum(sums);
+  return sums;
+}
+
+void TightWalls::apply(const Bodies& bodies, View<FaceX> u, View<FaceY> v, View<FaceZ> w) {
+  follow(bodies);
+  const auto fluxes = fluxes_after_projection(u, v, w);
+  for (std::size_t s = 0; s < parts_.size(); ++s) {
+    if (!is_on_[s]) continue;
+    double factor = 0;
+    for (std::size_t r = 0; r < parts_.size(); ++r)
+      factor += correction_(static_cast<Eigen::Index>(s), static_cast<Eigen::Index>(r)) * fluxes[r];
+    Part& part = parts_[s];
+    subtract(part.u, factor, u);
+    subtract(part.v, factor, v);
+    subtract(part.w, factor, w);
+    part.taken += factor;
+  }
+}
+
+RigidLoad TightWalls::load_on(const Body& body, double step) const {
+  RigidLoad load;
+  for (const Part& part : parts_) {
+    if (part.body != body.id) continue;
+    const double factor = density_ * part.taken / step;
+    load.force += factor * part.of_unit_pressure.force;
+    load.torque += factor * part.of_unit_pressure.torque;
+  }
+  return load;
+}
+
+}  // namespace pliant
