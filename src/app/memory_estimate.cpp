@@ -60,7 +60,9 @@ MemoryEstimate estimate_memory(const CaseConfig& config, int ranks) {
   // The state that a run keeps in memory for the checkpoint of a failure.
   if (config.checkpoint.keep > 0) estimate.flow_bytes += 4 * field_bytes;
   for (const auto& body : config.bodies)
-    if (body.tight) estimate.flow_bytes += field_bytes * static_cast<double>(1 + body.tight_parts.size());
+    if (body.tight)
+      estimate.flow_bytes +=
+          field_bytes * static_cast<double>(1 + body.tight_parts.size()) * body.placement.count.value_or(1);
   estimate.flow_bytes += phase_average_bytes_per_cell(config.output) * cells[0] * cells[1] * cells[2];
   estimate.doubles_per_cell = estimate.flow_bytes / (8.0 * cells[0] * cells[1] * cells[2]);
   return estimate;

@@ -177,7 +177,7 @@ void add_motion_keys(std::vector<BodyKey>& keys) {
   };
   keys.push_back(
       fixed(make_key<BodyConfig>({"tight", "",
-                                  "of an open surface: no net flow passes it, to round-off, at any moment; for walls "
+                                  "of an open surface: no net flow passes it after any step; for walls with orifices "
                                   "that part the box, and valves in them. Costs the memory of a field a part, and a "
                                   "pass over the flow in each substep"},
                                  [](auto& b) { return &b.tight; })));

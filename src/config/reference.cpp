@@ -84,8 +84,9 @@ std::string case_reference() {
       table_head();
   for (const auto& key : body_keys()) text += row(key, key.path);
   text +=
-      "\n## [body.selection.NAME]\n\nVertices of a deformable body by a name: those for which all that is given "
-      "holds. Points and directions are in the\ncoordinates of the surface before `rotation` and `center`, and go "
+      "\n## [body.selection.NAME]\n\nVertices of a deformable body, or of a part of a tight one, by a name: those "
+      "for which all that is given holds. Points and directions are in the\ncoordinates of the surface before "
+      "`rotation` and `center`, and go "
       "along "
       "with it and its copies. On the command line:\n`--set body.flag.selection.pole.plane.side=beyond`. "
       "[bodies.md](bodies.md) says more.\n\n" +

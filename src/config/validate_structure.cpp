@@ -102,9 +102,14 @@ class StructureValidator : private BodyValidator {
                               known.empty() ? "none: write [body.selection." + name + "]" : known));
   }
 
+  bool is_overridden(const std::string& key) const {
+    const auto found = config_.origins.find(prefix_ + "." + key);
+    return found != config_.origins.end() && found->second.rfind("--set", 0) == 0;
+  }
+
   void check_tightness(const BodyConfig& body) {
     if (!trusted({"tight", "tight_parts"})) return;
-    if (!body.tight && !body.tight_parts.empty())
+    if (!body.tight && !body.tight_parts.empty() && !is_overridden("tight"))
       complain("tight_parts", "names parts of a tight surface, but tight is false; set tight = true");
     if (body.tight && trusted({"surface.shape", "surface.file", "surface.open", "surface.ends"}) &&
         !is_open_surface(body.surface))
@@ -134,9 +139,7 @@ class StructureValidator : private BodyValidator {
         complain(key, "has one end only; give it to = \"SELECTION\" or point = [x, y, z]");
     }
     // An override that changes the motion makes them meaningless; that is not the file's fault.
-    const auto motion = config_.origins.find(prefix_ + ".motion");
-    const bool overridden = motion != config_.origins.end() && motion->second.rfind("--set", 0) == 0;
-    if (body.motion == MotionKind::deformable || overridden) return;
+    if (body.motion == MotionKind::deformable || is_overridden("motion")) return;
     const auto refuse = [&](PartKind kind, const auto& parts) {
       for (const auto& part : parts)
         complain(word_for(kind) + "." + part.name,
@@ -144,7 +147,14 @@ class StructureValidator : private BodyValidator {
                              "\"deformable\"",
                              word_for(body.motion)));
     };
-    if (body.tight_parts.empty()) refuse(PartKind::selection, body.selections);
+    for (const auto& selection : body.selections)
+      if (std::count(body.tight_parts.begin(), body.tight_parts.end(), selection.name) == 0)
+        complain(
+            "selection." + selection.name,
+            fmt::format("is of vertices that move one by one, or of a part of a tight wall, but motion is \"{}\" and "
+                        "tight_parts does not name it; remove it, or name it there, or write motion = "
+                        "\"deformable\"",
+                        word_for(body.motion)));
     refuse(PartKind::tether, body.tethers);
     refuse(PartKind::cord, body.cords);
     refuse(PartKind::pull, body.pulls);

@@ -65,7 +65,7 @@ struct BodyKind {
 
 /// What the flow does to a body, torques about its centre, means or values of the last step.
 struct BodyLoads {
-  RigidLoad reaction;  ///< of the fluid on the markers: minus the forcing
+  RigidLoad reaction;  ///< of the fluid on the markers, minus the forcing; with the diagnostics, on tight parts too
   RigidLoad balance;   ///< of the outer fluid, from the momentum balance
   RigidLoad probes;    ///< from the stress at the probes; not a number while a probe is outside the box
   RigidLoad contact;   ///< with other bodies and walls

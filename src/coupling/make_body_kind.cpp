@@ -126,25 +126,31 @@ void set_shape(BodyKind& kind, const Grid& grid) {
   else if (retraction > 0) kind.layout.draw_in(body.mesh, body.positions, retraction);
 }
 
-/// The selections that the case names, each without what is in one before it, and the rest.
-void set_tight_parts(BodyKind& kind, const std::vector<NamedVertices>& of_surface, const Grid& grid) {
-  if (!kind.config.tight) return;
+/// The selections that the case names, and the rest. Keys that do not apply may be there, if others were overridden.
+void set_tight_parts(BodyKind& kind, const std::vector<NamedVertices>& of_surface, const CaseConfig& config,
+                     const Grid& grid) {
+  if (!kind.config.tight || kind.config.motion != MotionKind::fixed || kind.config.coupling == CouplingKind::one_way)
+    return;
   const auto& body = kind.prototype;
-  kind.flux_layout = MarkerLayout(
-      body.mesh, refinement_for(body.mesh, body.positions, TightWalls::flux_edge * grid.smallest_spacing()));
   std::vector<bool> is_free(body.positions.size(), true);
   const auto add = [&](const std::vector<int>& vertices) {
     std::vector<int> part;
     for (int v : vertices)
       if (is_free[static_cast<std::size_t>(v)]) part.push_back(v);
     for (int v : part) is_free[static_cast<std::size_t>(v)] = false;
-    if (!part.empty()) kind.tight_parts.push_back(std::move(part));
+    if (part.empty()) return false;
+    kind.tight_parts.push_back(std::move(part));
+    return true;
   };
   for (const auto& name : kind.config.tight_parts)
-    add(select_vertices(kind.config, name, body.mesh, body.positions, of_surface));
+    if (!add(select_vertices(kind.config, name, body.mesh, body.positions, of_surface)))
+      throw InputError(
+          fmt::format("{} names \"{}\", all of whose vertices are in the selections before it; leave it out",
+                      place_of(config, "body." + kind.config.name + ".tight_parts"), name));
   std::vector<int> all(body.positions.size());
   std::iota(all.begin(), all.end(), 0);
   add(all);
+  kind.flux_layout = TightWalls::points_for(body.mesh, body.positions, grid);
 }
 
 /// The step of the flow at the largest speed that the case names.
@@ -250,7 +256,7 @@ BodyKind make_body_kind(const CaseConfig& config, std::size_t index, Surface sha
     kind.centroid = shell_mass_properties(body.mesh, body.positions, 1.0, 1.0).centroid;
   }
   set_shape(kind, grid);
-  set_tight_parts(kind, selections, grid);
+  set_tight_parts(kind, selections, config, grid);
   if (kind.config.motion == MotionKind::rigid) set_rigid(kind, material, config);
   if (kind.config.motion == MotionKind::hinge) set_hinge(kind, material);
   if (kind.config.motion == MotionKind::prescribed) set_path(kind, config);

@@ -21,8 +21,8 @@ namespace pliant {
 /// g and phi are found once, so that a substep reads the predicted velocity once, and the phi of the parts.
 class TightWalls {
  public:
-  /// Points stand as markers do on a grid of so much the spacing.
-  static constexpr double flux_edge = 0.1;
+  /// The points of a surface: a few times as near to each other as markers, so that they make good sums over it.
+  static MarkerLayout points_for(const TriangleMesh& mesh, std::span<const Vec3> positions, const Grid& grid);
 
   /// Collective. Bodies must be where they stay. Settles the flow.
   TightWalls(FlowSolver& flow, const Bodies& bodies);

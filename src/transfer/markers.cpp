@@ -67,6 +67,7 @@ void Markers::place(std::span<const Vec3> positions, std::span<const double> are
 
   for (auto& part : parts_)
     for (auto* numbers : {&part.share, &part.volume, &part.spreading}) numbers->assign(padded_size(), 0.0);
+  reaches_.resize(static_cast<std::size_t>(size()));
   StencilBatch stencils;
   lowest_planes_.assign(static_cast<std::size_t>(n_batches()) + 1, grid().nz() + 1);
   for (int b = 0; b < n_batches(); ++b) {
@@ -77,6 +78,8 @@ void Markers::place(std::span<const Vec3> positions, std::span<const double> are
       const std::size_t m = static_cast<std::size_t>(b) * mls_batch + static_cast<std::size_t>(l);
       for (const StencilLine line : {z_center, z_face})
         if (shape_.is_held(stencils, line, l)) weigh(line, stencils, m, areas[static_cast<std::size_t>(indices_[m])]);
+        else leave_to_others(line, static_cast<std::size_t>(l), stencils);
+      reaches_[m] = reach_of(stencils, static_cast<std::size_t>(l));
     }
   }
   for (std::size_t b = lowest_planes_.size() - 1; b > 0; --b)
@@ -167,6 +170,16 @@ void Markers::evaluate(int first_batch, StencilBlock& block) const {
 void Markers::leave_to_others(StencilLine line, std::size_t lane, StencilBatch& s) const {
   for (int c = 0; c < 3; ++c) s.weight[line][c][lane] = s.value[line][c][lane] = 0;
   s.first[line][lane] = std::clamp(s.first[line][lane], -1, grid().nz() - 2);
+}
+
+Markers::Reach Markers::reach_of(const StencilBatch& s, std::size_t lane) {
+  Reach reach{};
+  for (std::size_t d = 0; d < 3; ++d) {
+    const auto [first, last] = std::minmax(s.first[2 * d][lane], s.first[2 * d + 1][lane]);
+    reach.lowest[d] = first;
+    reach.highest[d] = last + 2;
+  }
+  return reach;
 }
 
 // The directions x and y are uniform and their values sum to 1, so that sum phi dz needs the line along z only.

@@ -67,6 +67,11 @@ class Markers {
   /// spacing; d: how thick the layer is through which a sheet acts, sum_ij phi_i phi_j |n.(x_i - x_j)|, as the mean of
   /// the components along the sheet. Does not depend on the rank.
   std::vector<double> layers(std::span<const Vec3> normals) const;
+  /// The lowest and highest nodes of all stencils of a marker, in working order.
+  struct Reach {
+    std::array<int, 3> lowest, highest;
+  };
+  std::span<const Reach> reaches() const { return reaches_; }
   /// The lowest plane of all stencils from this batch on; beyond the slab if there are none.
   int lowest_plane_from(int batch) const { return lowest_planes_[static_cast<std::size_t>(batch)]; }
 
@@ -104,6 +109,7 @@ class Markers {
   void evaluate(int first_batch, StencilBlock& block) const;
   void make_stencils(int batch, StencilBatch& stencils) const;
   void leave_to_others(StencilLine line, std::size_t lane, StencilBatch& stencils) const;
+  static Reach reach_of(const StencilBatch& stencils, std::size_t lane);
   void weigh(StencilLine line, const StencilBatch& stencils, std::size_t marker, double area);
 
   MlsShape shape_;
@@ -111,6 +117,7 @@ class Markers {
   std::vector<Vec3> positions_, sorted_positions_;
   std::vector<int> indices_, sorted_indices_, block_of_marker_, block_begin_;
   Part parts_[2];  // u and v, w
+  std::vector<Reach> reaches_;
   std::vector<int> lowest_planes_;
 };
 

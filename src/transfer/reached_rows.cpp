@@ -28,19 +28,11 @@ std::uint64_t ReachedRows::mask_of(int i_first, int i_last) const {
 }
 
 void ReachedRows::include(const Markers& markers) {
-  markers.for_each_block([&](const StencilBlock& block) {
-    for (int b = 0; b < block.n_batches; ++b) {
-      const auto& first = block.stencils[static_cast<std::size_t>(b)].first;
-      for (int l = 0; l < markers.count(block.first_batch + b); ++l) {
-        const auto [i, i_last] = std::minmax(first[x_center][l], first[x_face][l]);
-        const auto [j, j_last] = std::minmax(first[y_center][l], first[y_face][l]);
-        const std::uint64_t mask = mask_of(i, i_last + 2);
-        const auto [k, k_last] = std::minmax(first[z_center][l], first[z_face][l]);
-        for (int plane = k; plane <= k_last + 2; ++plane)
-          for (std::size_t row = at(j, plane); row <= at(j_last + 2, plane); ++row) segments_[row] |= mask;
-      }
-    }
-  });
+  for (const auto& [lowest, highest] : markers.reaches()) {
+    const std::uint64_t mask = mask_of(lowest[0], highest[0]);
+    for (int plane = lowest[2]; plane <= highest[2]; ++plane)
+      for (std::size_t row = at(lowest[1], plane); row <= at(highest[1], plane); ++row) segments_[row] |= mask;
+  }
 }
 
 void ReachedRows::include_plane(int k) {

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "core/error.hpp"
 #include "mpi/coupling/small_cases.hpp"
 #include "mpi/io/shared_folder.hpp"
 
@@ -204,6 +205,29 @@ TEST(TightWalls, HoldAsAValveShuts) {
     if (tight) EXPECT_NEAR(after, 0, 1e-4 * through_hole);
     else EXPECT_GT(std::abs(after), 0.05 * through_hole);
   }
+}
+
+// Keys that do not apply may be there once others are overridden.
+TEST(TightWalls, AreOnlyThoseThatStandStill) {
+  const SharedFolder owner;
+  auto config = disturbed(true);
+  config.bodies = {tilted(tight_plate("shutter", {0.2, 0.1, -0.5}, {1.4, 1.4}))};
+  config.bodies[0].motion = MotionKind::prescribed;
+  const auto run = [&](bool tight) {
+    config.bodies[0].tight = tight;
+    Simulation simulation(config, Communicator(), silent(owner.path() / (tight ? "tight" : "loose")));
+    simulation.run();
+    return whole_flow(simulation.flow());
+  };
+  EXPECT_TRUE(run(true) == run(false));
+}
+
+TEST(TightWalls, RefuseAPartThatIsInAnother) {
+  auto config = disturbed(false);
+  config.bodies = {in_halves(tight_plate("partition", {0, 0, 0.1}, {4, 4}))};
+  config.bodies[0].tight_parts = {"half", "half"};
+  const Grid grid(config.box, config.boundary, Communicator());
+  EXPECT_THROW(Bodies(config, grid), InputError);
 }
 
 // In a periodic box nothing else takes momentum from the flow.

@@ -149,6 +149,7 @@ TEST(BodyRestart, OfBodiesThatComeAndGo) {
   config.immersed_boundary.carry_forces = true;
   auto shutter = ball("shutter", MotionKind::fixed, {0, 0, 1.2}, 1);
   shutter.surface = PlateSurface{{0.8, 0.9}, 0.25};
+  shutter.tight = true;
   config.bodies.push_back(shutter);
   for (auto& body : config.bodies) {  // switched before and after the restart, some there as it happens, some not
     if (body.name == "rock") body.schedule = ScheduleConfig{0.2, {0.2, 0.7}};

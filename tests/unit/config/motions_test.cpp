@@ -121,11 +121,15 @@ TEST(Motions, RepulsionHasARangeAndAStrength) {
 TEST(Motions, TightSurfacesAreOpenAndStandStill) {
   EXPECT_THAT(problems_of(ball("fixed", "tight = true")),
               ElementsAre(HasSubstr("case.toml:6: body.a.tight is true, but the surface is closed")));
-  EXPECT_THAT(problems_of(plate("fixed", "tight = true\ntight_parts = [\"half\"]\n[body.selection]\nhalf = { plane = "
-                                         "{ point = [0, 0, 0], normal = [1, 0, 0], side = \"beyond\" } }")),
+  EXPECT_THAT(problems_of(plate("fixed",
+                                "tight = true\ntight_parts = [\"half\"]\n[body.selection]\nhalf = { plane = "
+                                "{ point = [0, 0, 0], normal = [1, 0, 0], side = \"beyond\" } }")),
               IsEmpty());
   EXPECT_THAT(problems_of(plate("fixed", "tight_parts = [\"border\"]\n[body.selection]\nborder = { border = true }")),
               ElementsAre(HasSubstr("body.a.tight_parts names parts of a tight surface, but tight is false")));
+  EXPECT_THAT(
+      problems_of(plate("fixed", "tight = true\n[body.selection]\nborder = { border = true }")),
+      ElementsAre(HasSubstr("body.a.selection.border is of vertices that move one by one, or of a part of a tight")));
   EXPECT_THAT(problems_of(plate("fixed", "tight = true\ntight_parts = [\"hafl\"]")),
               ElementsAre(HasSubstr("body.a.tight_parts names \"hafl\", which is no selection of the body")));
 }
