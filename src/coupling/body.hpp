@@ -26,9 +26,8 @@ struct BodyKind {
   std::vector<Vec3> reference;                    ///< vertices about the centroid
   SolidMoments displaced;                         ///< of the enclosed volume about the centroid; volume 0: open
   MarkerLayout layout;
-  double retraction = 0;                      ///< of markers, inwards; length
-  std::vector<std::vector<int>> tight_parts;  ///< vertices of the parts that no net flow passes (TightWalls)
-  MarkerLayout flux_layout;                   ///< points by which their fluxes are found
+  double retraction = 0;                       ///< of markers, inwards; length
+  std::vector<std::vector<Face>> tight_parts;  ///< that no net flow passes (TightWalls)
   ProbeSettings probes;
   double mass = 0;                      ///< of a rigid or hinged body
   RigidModel rigid;                     ///< motion = "rigid"

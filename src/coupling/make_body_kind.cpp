@@ -4,13 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "config/validate.hpp"
 #include "core/angles.hpp"
 #include "core/error.hpp"
 #include "coupling/added_mass.hpp"
-#include "coupling/tight_walls.hpp"
 #include "mesh/geometry.hpp"
 #include "signals/make_signal.hpp"
 #include "structure/make_body.hpp"
@@ -126,31 +124,28 @@ void set_shape(BodyKind& kind, const Grid& grid) {
   else if (retraction > 0) kind.layout.draw_in(body.mesh, body.positions, retraction);
 }
 
-/// The selections that the case names, and the rest. Keys that do not apply may be there, if others were overridden.
-void set_tight_parts(BodyKind& kind, const std::vector<NamedVertices>& of_surface, const CaseConfig& config,
-                     const Grid& grid) {
+/// The faces of the selections that the case names, and the rest. Keys that do not apply may be there, if others were
+/// overridden.
+void set_tight_parts(BodyKind& kind, const std::vector<NamedVertices>& of_surface, const CaseConfig& config) {
   if (!kind.config.tight || kind.config.motion != MotionKind::fixed || kind.config.coupling == CouplingKind::one_way)
     return;
   const auto& body = kind.prototype;
-  std::vector<bool> is_free(body.positions.size(), true);
-  const auto add = [&](const std::vector<int>& vertices) {
-    std::vector<int> part;
-    for (int v : vertices)
-      if (is_free[static_cast<std::size_t>(v)]) part.push_back(v);
-    for (int v : part) is_free[static_cast<std::size_t>(v)] = false;
-    if (part.empty()) return false;
-    kind.tight_parts.push_back(std::move(part));
-    return true;
-  };
-  for (const auto& name : kind.config.tight_parts)
-    if (!add(select_vertices(kind.config, name, body.mesh, body.positions, of_surface)))
-      throw InputError(
-          fmt::format("{} names \"{}\", all of whose vertices are in the selections before it; leave it out",
-                      place_of(config, "body." + kind.config.name + ".tight_parts"), name));
-  std::vector<int> all(body.positions.size());
-  std::iota(all.begin(), all.end(), 0);
-  add(all);
-  kind.flux_layout = TightWalls::points_for(body.mesh, body.positions, grid);
+  const auto all = body.mesh.vertices_of_face();
+  std::vector<Face> rest(all.begin(), all.end());
+  for (const auto& name : kind.config.tight_parts) {
+    std::vector<bool> is_selected(body.positions.size(), false);
+    for (int v : select_vertices(kind.config, name, body.mesh, body.positions, of_surface))
+      is_selected[static_cast<std::size_t>(v)] = true;
+    const auto part = std::stable_partition(rest.begin(), rest.end(), [&](const Face& face) {
+      return !std::all_of(face.begin(), face.end(), [&](int v) { return is_selected[static_cast<std::size_t>(v)]; });
+    });
+    if (part == rest.end())
+      throw InputError(fmt::format("{} names \"{}\", which holds no whole face that is not in a selection before it",
+                                   place_of(config, "body." + kind.config.name + ".tight_parts"), name));
+    kind.tight_parts.emplace_back(part, rest.end());
+    rest.erase(part, rest.end());
+  }
+  if (!rest.empty()) kind.tight_parts.push_back(std::move(rest));
 }
 
 /// The step of the flow at the largest speed that the case names.
@@ -256,7 +251,7 @@ BodyKind make_body_kind(const CaseConfig& config, std::size_t index, Surface sha
     kind.centroid = shell_mass_properties(body.mesh, body.positions, 1.0, 1.0).centroid;
   }
   set_shape(kind, grid);
-  set_tight_parts(kind, selections, config, grid);
+  set_tight_parts(kind, selections, config);
   if (kind.config.motion == MotionKind::rigid) set_rigid(kind, material, config);
   if (kind.config.motion == MotionKind::hinge) set_hinge(kind, material);
   if (kind.config.motion == MotionKind::prescribed) set_path(kind, config);

@@ -13,20 +13,16 @@
 #include "boundary/periodic_ghosts.hpp"
 #include "core/lanes.hpp"
 #include "core/loops.hpp"
-#include "mesh/geometry.hpp"
-#include "transfer/point_router.hpp"
+#include "coupling/wall_links.hpp"
 #include "transfer/velocity_copies.hpp"
 
 namespace pliant {
 namespace {
 
 // Fluxes that follow from others, or from the sides of the box, cannot be chosen: eigenvalues of the response below
-// this, over those in a fluid without pressure. A plate around two orifices of a tank has a hundredth, one that closes
-// the box along planes of the grid a millionth. One that closes it askew has some thousandths: the flow along it, as
-// interpolated, seems to pass.
-constexpr double least_response = 1e-4;
-
-constexpr int points_at_once = 100000;
+// this, over those in a fluid without pressure. A plate around two orifices of a tank has a hundredth, what closes a
+// part of the box has zero but for rounding.
+constexpr double least_response = 1e-8;
 
 // sum_i ax u_i (p_i - p_{i+1}) + ay v_i (p_i - n_i) + az w_i (p_i - t_i): a row's part of sum_c phi div(u) dV.
 double row_sum(int nx, const double* p, const double* n, const double* t, const double* u, const double* v,
@@ -62,71 +58,10 @@ double lower_sides(const Grid& grid, ConstView<Center> phi, ConstView<FaceX> u, 
   return sum;
 }
 
-/// The two nodes of a line that a point lies between, and their shares in its value.
-struct Between {
-  int node[2] = {0, 0};
-  double share[2] = {0, 0};
-};
-
-// Beyond the outermost centre its value goes on to the side; a side's own face is no unknown and has no share.
-Between between_uniform(double place, bool at_faces, bool is_periodic, int n) {
-  const double s = place - (at_faces ? 1.0 : 0.5), lower = std::floor(s);
-  Between found;
-  for (int c = 0; c < 2; ++c) {
-    int node = static_cast<int>(lower) + c;
-    double share = c == 0 ? lower + 1 - s : s - lower;
-    if (is_periodic) node = (node % n + n) % n;
-    else if (!at_faces) node = std::clamp(node, 0, n - 1);
-    else if (node < 0 || node >= n - 1) node = 0, share = 0;
-    found.node[c] = node;
-    found.share[c] = share;
-  }
-  return found;
-}
-
-// Along z of this rank's own planes: others have none.
-Between between_planes(const Grid& grid, double z, bool at_faces) {
-  const auto nodes = at_faces ? grid.z_face() : grid.z_center();
-  const int nz = grid.nz();
-  Between found;
-  if (!(nodes[-1] <= z && z < nodes[nz])) return found;
-  int lower = -1;
-  for (int upper = nz; upper - lower > 1;) {
-    const int middle = (lower + upper) / 2;
-    (nodes[middle] <= z ? lower : upper) = middle;
-  }
-  const double part = (z - nodes[lower]) / (nodes[lower + 1] - nodes[lower]);
-  for (int c = 0; c < 2; ++c) {
-    int node = lower + c;
-    double share = c == 0 ? 1 - part : part;
-    if (!at_faces && grid.has_bottom()) node = std::max(node, 0);
-    if (!at_faces && grid.has_top()) node = std::min(node, nz - 1);
-    if (node < 0 || node >= nz || (at_faces && grid.has_top() && node == nz - 1)) node = 0, share = 0;
-    found.node[c] = node;
-    found.share[c] = share;
-  }
-  return found;
-}
-
-// Adds the weights with which the nodes of a component make its values at points, times an amount each.
-template <class Location>
-void add_weights(const Grid& grid, std::span<const Vec3> points, std::span<const Vec3> amounts, int component,
-                 View<Location> f) {
-  constexpr bool on_x = std::is_same_v<Location, FaceX>, on_y = std::is_same_v<Location, FaceY>,
-                 on_z = std::is_same_v<Location, FaceZ>;
-  const double height = grid.size().z;
-  for (std::size_t m = 0; m < points.size(); ++m) {
-    const Vec3 x = points[m] - grid.origin();
-    const auto i = between_uniform(x.x / grid.dx(), on_x, grid.is_periodic(0), grid.nx());
-    const auto j = between_uniform(x.y / grid.dy(), on_y, grid.is_periodic(1), grid.ny());
-    for (int turn = grid.is_periodic(2) ? -1 : 0; turn <= (grid.is_periodic(2) ? 1 : 0); ++turn) {
-      const auto k = between_planes(grid, points[m].z + turn * height, on_z);
-      for (int c = 0; c < 2; ++c)
-        for (int b = 0; b < 2; ++b)
-          for (int a = 0; a < 2; ++a)
-            f(i.node[a], j.node[b], k.node[c]) += i.share[a] * j.share[b] * k.share[c] * amounts[m][component];
-    }
-  }
+// Of a face of a cell across an axis, in plane k of the box.
+double area_of(const Grid& grid, int axis, int k) {
+  const double dz = grid.global_dz_c()[k];
+  return axis == 0 ? grid.dy() * dz : axis == 1 ? grid.dx() * dz : grid.dx() * grid.dy();
 }
 
 template <class Location>
@@ -166,8 +101,7 @@ void subtract(const Nodes& nodes, double factor, View<Location> f) {
 // What it takes to find a part, used again for the next.
 struct TightWalls::Workspace {
   explicit Workspace(const Grid& grid)
-      : router(grid),
-        copies(grid),
+      : copies(grid),
         halo(grid.ranks(), grid.is_periodic(2) ? SlabHalo::Ends::periodic : SlabHalo::Ends::bounded, grid.nz()),
         u(grid),
         v(grid),
@@ -177,21 +111,12 @@ struct TightWalls::Workspace {
     v = Field<FaceY>(grid);
     w = Field<FaceZ>(grid);
   }
-  PointRouter router;
   VelocityCopies copies;
   SlabHalo halo;
   Field<FaceX> u;
   Field<FaceY> v;
   Field<FaceZ> w;
 };
-
-MarkerLayout TightWalls::points_for(const TriangleMesh& mesh, std::span<const Vec3> positions, const Grid& grid) {
-  constexpr double of_markers = 0.1, most_parts = 64;  // the latter along an edge
-  const auto lengths = edge_lengths(mesh, positions);
-  const double longest = *std::max_element(lengths.begin(), lengths.end()) / longest_marker_edge;
-  const double spacing = std::max(of_markers * grid.smallest_spacing(), longest / most_parts);
-  return {mesh, refinement_for(mesh, positions, spacing)};
-}
 
 TightWalls::TightWalls(FlowSolver& flow, const Bodies& bodies)
     : grid_(flow.grid()), density_(flow.parameters().density) {
@@ -203,7 +128,7 @@ TightWalls::TightWalls(FlowSolver& flow, const Bodies& bodies)
         Part part(grid_);
         part.kind = k;
         part.body = id;
-        add_part(flow, bodies.find(id), kind, n, part, work);
+        add_part(flow, bodies.find(id), kind.tight_parts[n], part, work);
         parts_.push_back(std::move(part));
       }
   }
@@ -226,41 +151,31 @@ TightWalls::TightWalls(FlowSolver& flow, const Bodies& bodies)
   response_ = (0.5 * (response_ + response_.transpose())).eval();
 }
 
-// The flow between nodes is linear in each direction, so that a plane of the grid counts each of its nodes alike.
-void TightWalls::add_part(FlowSolver& flow, const Body* body, const BodyKind& kind, std::size_t n, Part& part,
+void TightWalls::add_part(FlowSolver& flow, const Body* body, std::span<const Face> faces, Part& part,
                           Workspace& work) {
-  work.clear(grid_);
-  std::vector<double> share;
-  if (body != nullptr) {
-    share.assign(body->surface.positions.size(), 0.0);
-    for (int v : kind.tight_parts[n]) share[static_cast<std::size_t>(v)] = 1;
-  }
-  const int n_points = body != nullptr ? kind.flux_layout.n_markers() : 0;
-  std::vector<Vec3> points, vectors, held;
-  for (int m = 0; grid_.ranks().max(n_points - m) > 0;) {
-    points.clear(), vectors.clear();
-    for (const int end = std::min(m + points_at_once, n_points); m < end; ++m) {
-      const int f = kind.flux_layout.face_of(m);
-      const Face& face = body->surface.mesh.vertices_of_face()[static_cast<std::size_t>(f)];
-      const Vec3 weights = kind.flux_layout.weights(m);
-      Vec3 x;
-      double part_here = 0;
-      for (int c = 0; c < 3; ++c) {
-        const auto v = static_cast<std::size_t>(face[static_cast<std::size_t>(c)]);
-        x += weights[c] * body->surface.positions[v];
-        part_here += weights[c] * share[v];
-      }
-      if (part_here == 0) continue;
-      const int of_face = kind.flux_layout.first_marker(f + 1) - kind.flux_layout.first_marker(f);
-      points.push_back(x);
-      vectors.push_back(0.5 * part_here / of_face * face_vector(face, body->surface.positions));
+  const auto& ranks = grid_.ranks();
+  constexpr std::size_t width = 5;
+  std::vector<double> numbers;
+  if (body != nullptr)
+    for (const auto& link : find_wall_links(grid_, faces, body->surface.positions)) {
+      const auto [i, j, k] = link.node;
+      numbers.insert(numbers.end(), {1.0 * link.axis, 1.0 * i, 1.0 * j, 1.0 * k, 1.0 * link.sign});
+      Vec3 area;
+      area[link.axis] = link.sign * area_of(grid_, link.axis, k);
+      part.of_unit_pressure.force += area;
+      part.of_unit_pressure.torque += cross(link.place - body->pose.center, area);
     }
-    if (body != nullptr) part.of_unit_pressure = part.of_unit_pressure + total_load(points, vectors, body->pose.center);
-    work.router.route(points);
-    work.router.send(vectors, held);
-    add_weights(grid_, work.router.held(), held, 0, work.u.view());
-    add_weights(grid_, work.router.held(), held, 1, work.v.view());
-    add_weights(grid_, work.router.held(), held, 2, work.w.view());
+  numbers.resize(static_cast<std::size_t>(ranks.max(static_cast<int>(numbers.size()))));
+  ranks.sum(numbers);  // of all ranks but one they are zero
+  work.clear(grid_);
+  for (std::size_t n = 0; n < numbers.size(); n += width) {
+    const auto at = [&](std::size_t c) { return static_cast<int>(numbers[n + c]); };
+    const int k = at(3) - grid_.slab().begin;
+    if (k < 0 || k >= grid_.nz()) continue;
+    const double weight = at(4) * area_of(grid_, at(0), at(3));
+    if (at(0) == 0) work.u.view()(at(1), at(2), k) += weight;
+    else if (at(0) == 1) work.v.view()(at(1), at(2), k) += weight;
+    else work.w.view()(at(1), at(2), k) += weight;
   }
   keep_nodes(grid_, work.u.view(), part.u);
   keep_nodes(grid_, work.v.view(), part.v);

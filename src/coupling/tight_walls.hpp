@@ -14,16 +14,14 @@ namespace pliant {
 /// parts the box that is cheap for the fluid and takes the forcing many substeps to stop: a valve that shuts lets the
 /// plate around it leak and ring. So the flux through each part is made to vanish after the projection, exactly:
 ///
-///   q_r(u) = sum_m A_m n_m.U_m over points of part r = sum_f g_rf u_f dV_f over the nodes;
+///   q_r(u) = sum of the flow along the normals of part r through the faces of cells that stand for it (WallLink)
+///          = sum_f g_rf u_f dV_f over the nodes;
 ///   q_r(P u*) = q_r(u*) + sum_c phi_r div(u*) dV_c,  lap phi_r = div g_r, as the projection P is symmetric;
 ///   u* <- u* - sum_s a_s g_s,  sum_s q_r(P g_s) a_s = q_r(P u*).
 ///
 /// g and phi are found once, so that a substep reads the predicted velocity once, and the phi of the parts.
 class TightWalls {
  public:
-  /// The points of a surface: a few times as near to each other as markers, so that they make good sums over it.
-  static MarkerLayout points_for(const TriangleMesh& mesh, std::span<const Vec3> positions, const Grid& grid);
-
   /// Collective. Bodies must be where they stay. Settles the flow.
   TightWalls(FlowSolver& flow, const Bodies& bodies);
 
@@ -47,12 +45,12 @@ class TightWalls {
     std::size_t kind = 0;
     long body = 0;
     std::vector<Node> u, v, w;
-    Field<Center> potential;     // beyond bounded sides 0
-    RigidLoad of_unit_pressure;  // on the rank that holds the body
-    double taken = 0;            // sum of a_s over the step
+    Field<Center> potential;  // beyond bounded sides 0
+    RigidLoad of_unit_pressure;
+    double taken = 0;  // sum of a_s over the step
   };
   struct Workspace;
-  void add_part(FlowSolver& flow, const Body* body, const BodyKind& kind, std::size_t n, Part& part, Workspace& work);
+  void add_part(FlowSolver& flow, const Body* body, std::span<const Face> faces, Part& part, Workspace& work);
   void follow(const Bodies& bodies);
   std::vector<double> fluxes_after_projection(ConstView<FaceX> u, ConstView<FaceY> v, ConstView<FaceZ> w) const;
 

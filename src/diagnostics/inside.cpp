@@ -5,6 +5,8 @@
 #include <cmath>
 #include <tuple>
 
+#include "mesh/seen_face.hpp"
+
 namespace pliant {
 namespace {
 
@@ -15,50 +17,11 @@ struct Crossing {
   int winds;
 };
 
-/// A face seen along z.
-class SeenFace {
- public:
-  SeenFace(const Face& face, std::span<const Vec3> positions) : face_(face) {
-    for (std::size_t c = 0; c < 3; ++c) corners_[c] = positions[static_cast<std::size_t>(face[c])];
-    normal_ = cross(corners_[1] - corners_[0], corners_[2] - corners_[0]);
-  }
-
-  double lower(int d) const { return std::min({corners_[0][d], corners_[1][d], corners_[2][d]}); }
-  double upper(int d) const { return std::max({corners_[0][d], corners_[1][d], corners_[2][d]}); }
-
-  /// +1 if the line at (x, y) passes upwards into the inside, -1 if out of it, 0 if it misses the face. Two faces ask
-  /// the same question of the edge that they share, so that a line through it passes one of them.
-  int passes(double x, double y) const {
-    std::array<bool, 3> is_left{};
-    for (std::size_t c = 0; c < 3; ++c) is_left[c] = left_of(c, (c + 1) % 3, x, y);
-    if (is_left[0] != is_left[1] || is_left[1] != is_left[2]) return 0;
-    return is_left[0] ? -1 : 1;
-  }
-
-  double height_at(double x, double y) const {
-    const double low = lower(2), high = upper(2);
-    const double z = corners_[0].z - (normal_.x * (x - corners_[0].x) + normal_.y * (y - corners_[0].y)) / normal_.z;
-    return z >= low ? std::min(z, high) : low;  // an upright face has no slope
-  }
-
- private:
-  bool left_of(std::size_t from, std::size_t to, double x, double y) const {
-    const bool is_turned = face_[from] > face_[to];
-    const Vec3 a = corners_[is_turned ? to : from], b = corners_[is_turned ? from : to];
-    const bool is_left = (b.x - a.x) * (y - a.y) - (b.y - a.y) * (x - a.x) > 0;
-    return is_left != is_turned;
-  }
-
-  Face face_;
-  std::array<Vec3, 3> corners_;
-  Vec3 normal_;
-};
-
 class Lines {
  public:
   Lines(const Grid& grid, std::span<const Face> faces, std::span<const Vec3> positions, int orientation)
       : grid_(grid), orientation_(orientation) {
-    for (const Face& face : faces) faces_.emplace_back(face, positions);
+    for (const Face& face : faces) faces_.emplace_back(face, positions, 2);
   }
 
   std::vector<InsidePiece> find() {
