@@ -144,8 +144,8 @@ TightWalls::TightWalls(FlowSolver& flow, const Bodies& bodies)
     const auto u = std::as_const(work.u).view();
     const auto v = std::as_const(work.v).view();
     const auto w = std::as_const(work.w).view();
-    const auto fluxes = fluxes_after_projection(u, v, w);
-    for (Eigen::Index r = 0; r < n; ++r) response_(r, s) = fluxes[static_cast<std::size_t>(r)];
+    find_fluxes(u, v, w);
+    for (Eigen::Index r = 0; r < n; ++r) response_(r, s) = fluxes_[static_cast<std::size_t>(r)];
     free_[s] = grid_.ranks().sum(flux_through(part.u, u) + flux_through(part.v, v) + flux_through(part.w, w));
   }
   response_ = (0.5 * (response_ + response_.transpose())).eval();
@@ -197,10 +197,13 @@ void TightWalls::begin_step() {
 
 // The pseudo-inverse, scaled by what the parts would do alone in a fluid without pressure.
 void TightWalls::follow(const Bodies& bodies) {
-  std::vector<bool> now;
-  for (const Part& part : parts_) now.push_back(bodies.is_on(part.kind));
-  if (now == is_on_) return;
-  is_on_ = std::move(now);
+  bool has_changed = is_on_.empty();
+  is_on_.resize(parts_.size());
+  for (std::size_t r = 0; r < parts_.size(); ++r) {
+    has_changed |= is_on_[r] != bodies.is_on(parts_[r].kind);
+    is_on_[r] = bodies.is_on(parts_[r].kind);
+  }
+  if (!has_changed) return;
   const auto n = static_cast<Eigen::Index>(parts_.size());
   Eigen::VectorXd scale(n);
   for (Eigen::Index r = 0; r < n; ++r)
@@ -212,9 +215,9 @@ void TightWalls::follow(const Bodies& bodies) {
   correction_ = modes * inverse.asDiagonal() * modes.transpose();
 }
 
-std::vector<double> TightWalls::fluxes_after_projection(ConstView<FaceX> u, ConstView<FaceY> v,
-                                                        ConstView<FaceZ> w) const {
-  std::vector<double> sums(parts_.size());
+void TightWalls::find_fluxes(ConstView<FaceX> u, ConstView<FaceY> v, ConstView<FaceZ> w) {
+  auto& sums = fluxes_;
+  sums.assign(parts_.size(), 0.0);
   const auto counts = [&](std::size_t r) { return is_on_.empty() || is_on_[r]; };
   for (int k = 0; k < grid_.nz(); ++k) {
     const double ax = grid_.dy() * grid_.dz_c()[k], ay = grid_.dx() * grid_.dz_c()[k], az = grid_.dx() * grid_.dy();
@@ -234,17 +237,16 @@ std::vector<double> TightWalls::fluxes_after_projection(ConstView<FaceX> u, Cons
                flux_through(part.w, w);
   }
   grid_.ranks().sum(sums);
-  return sums;
 }
 
 void TightWalls::apply(const Bodies& bodies, View<FaceX> u, View<FaceY> v, View<FaceZ> w) {
   follow(bodies);
-  const auto fluxes = fluxes_after_projection(u, v, w);
+  find_fluxes(u, v, w);
   for (std::size_t s = 0; s < parts_.size(); ++s) {
     if (!is_on_[s]) continue;
     double factor = 0;
     for (std::size_t r = 0; r < parts_.size(); ++r)
-      factor += correction_(static_cast<Eigen::Index>(s), static_cast<Eigen::Index>(r)) * fluxes[r];
+      factor += correction_(static_cast<Eigen::Index>(s), static_cast<Eigen::Index>(r)) * fluxes_[r];
     Part& part = parts_[s];
     subtract(part.u, factor, u);
     subtract(part.v, factor, v);

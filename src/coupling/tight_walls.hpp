@@ -52,13 +52,14 @@ class TightWalls {
   struct Workspace;
   void add_part(FlowSolver& flow, const Body* body, std::span<const Face> faces, Part& part, Workspace& work);
   void follow(const Bodies& bodies);
-  std::vector<double> fluxes_after_projection(ConstView<FaceX> u, ConstView<FaceY> v, ConstView<FaceZ> w) const;
+  void find_fluxes(ConstView<FaceX> u, ConstView<FaceY> v, ConstView<FaceZ> w);
 
   Grid grid_;
   double density_;
   std::vector<Part> parts_;
   Eigen::MatrixXd response_;    // q_r(P g_s)
   Eigen::VectorXd free_;        // sum g_r^2 dV: the response without a projection
+  std::vector<double> fluxes_;  // after the projection
   std::vector<bool> is_on_;     // by part, and for these:
   Eigen::MatrixXd correction_;  // a = correction q
 };
