@@ -18,7 +18,7 @@ EJECTION, HINGED, EDGES = 0.30, ("leaflet-left", "leaflet-right"), ("anterior-ed
 ANNULUS, RADIUS = np.array([0.55, 0, 0]), 0.5
 COLOURS = {"mechanical": "C3", "natural": "C0"}
 # The case files are of 150^3 cells at Re = 5000; edges and step of the coarse size are about twice as long, and Re is 1000.
-COARSE = {"box.cells": [72, 72, 72], "fluid.viscosity": 0.001, "time.step": 0.003, "body.sack.surface.edge": 0.075, "body.plate.surface.edge": 0.075,
+COARSE = {"box.cells": [72, 72, 72], "fluid.viscosity": 0.001, "time.step": 0.006, "body.sack.surface.edge": 0.075, "body.plate.surface.edge": 0.075,
           "body.plate.surface.hole_edge": 0.066, "body.mitral-channel.surface.edge": 0.066,
           "body.aortic-channel.surface.edge": 0.066, "body.aortic-valve.surface.edge": 0.066}
 COARSE_VALVE = {"mechanical": {f"body.{name}.surface.edge": 0.053 for name in HINGED},

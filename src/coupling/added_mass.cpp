@@ -60,10 +60,6 @@ double wall_mass_ratio(const BodyKind& kind, double fluid_density) {
 
 double force_spreading_limit(const BodyKind& kind) { return substep_safety * kind.layered_limit / largest_alpha; }
 
-double local_mass_reach(const BodyKind& kind) {
-  return 12.9 * std::pow(kind.wall_over_layer, 0.25) * kind.layered_limit;
-}
-
 double added_mass_ratio(const BodyKind& kind, double fluid_density, double spacing) {
   if (!kind.is_free()) return 0;
   const auto& mesh = kind.prototype.mesh;

@@ -29,10 +29,6 @@ double wall_mass_ratio(const BodyKind& kind, double fluid_density);
 /// The largest fluid step that force-spreading takes with a body.
 double force_spreading_limit(const BodyKind& kind);
 
-/// About the largest fluid step with which local-mass held bodies of this mass and stiffness, a fit to what was
-/// measured (docs/coupling.md): 12.9 (m / (rho h))^(1/4) times the limit of the body's substeps, h the mean spacing.
-double local_mass_reach(const BodyKind& kind);
-
 /// The coupling of a body, "auto" resolved; `reason` says why in a sentence.
 CouplingKind choose_coupling(const BodyKind& kind, std::string& reason);
 

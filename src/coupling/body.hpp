@@ -37,7 +37,6 @@ struct BodyKind {
   bool restores_volume = false;         ///< of a soft body
   double layered_limit = 0;             ///< of a soft body's substeps: 2/omega, the layer of fluid at its wall included
 
-  double wall_over_layer = 0;  ///< of a deformable body: its mass over that of the layer of fluid, a spacing thick
   double wall_mass_ratio = 0;  ///< of a deformable body; see added_mass.hpp
   double spacing = 0;          ///< mean, of the grid
   double convective_step = 0;  ///< what the speeds in the case let the flow take; infinite if they are 0

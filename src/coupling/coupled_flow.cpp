@@ -71,16 +71,22 @@ FlowHooks CoupledFlow::hooks() {
   FlowHooks hooks;
   if (force_spreading_) {
     hooks.forces = force_spreading_->forces();
-    hooks.before = [this](const Substep& substep, double dt) {
-      const auto scope = timer_.measure("bodies: soft, within fluid");
-      force_spreading_->before(substep, dt);
-    };
     hooks.corrected = [this](const Substep& substep, double dt) {
       const auto& state = flow_.state();
       const auto scope = timer_.measure("bodies: soft, within fluid");
       force_spreading_->corrected(substep, dt, state);
     };
   }
+  if (force_spreading_ || local_mass_)
+    hooks.before = [this](const Substep& substep, double dt) {
+      if (local_mass_) {
+        const auto& state = flow_.state();
+        const auto scope = timer_.measure("bodies: soft, within fluid");
+        local_mass_->before(substep, state);
+      }
+      const auto scope = timer_.measure("bodies: soft, within fluid");
+      if (force_spreading_) force_spreading_->before(substep, dt);
+    };
   const bool merges = force_spreading_ && force_spreading_->wants_predicted();
   const bool forces = is_followed();
   if (forces || local_mass_ || merges)

@@ -72,11 +72,6 @@ std::vector<std::string> foresee(const BodyKind& kind, const Grid& grid, double 
         "the run is likely to blow up; take a smaller time.step, leave it to Pliant, or, if the body has mass, "
         "coupling = \"local-mass\"",
         name, force_spreading_limit(kind), step));
-  if (kind.coupling == CouplingKind::local_mass && kind.wall_over_layer > 0 && step > local_mass_reach(kind))
-    warnings.push_back(fmt::format(
-        "body '{}': walls as light and stiff as its bore fluid steps up to about {:.2g} with coupling = "
-        "\"local-mass\" where that was measured, the step is {:.3g}: the run may blow up; take a smaller time.step",
-        name, local_mass_reach(kind), step));
   // Measured over twenty times R/U (docs/coupling.md).
   if (kind.coupling == CouplingKind::local_mass && step > 0.5 * kind.convective_step)
     warnings.push_back(fmt::format(

@@ -16,8 +16,8 @@ int local_mass_substeps(double alpha, double step, double limit, const std::stri
 /// loose coupling fails by the mass ratio and force-spreading by the step: leaflets, stiff capsules, the wall of a
 /// ventricle.
 ///
-///   V_0 = (m V + rho h U*)/(m + rho h),  U* the predicted velocity at the vertices;
-///   (m + rho h) V' = F(x), x' = V over alpha dt;  V' - U* is spread.
+///   V_0 = (m V + rho h U)/(m + rho h), U the flow's velocity at the vertices as the substep begins;
+///   (m + rho h) V' = F(x) + rho h (U* - U)/(alpha dt), x' = V over alpha dt, U* the predicted one;  V' - U* is spread.
 ///
 /// First order in time. As m -> 0 it becomes force-spreading with substeps, where vertices move with the predicted
 /// velocity. The pressure of the same substep does not act on the membrane's motion, so that it slips a little and a
@@ -28,6 +28,8 @@ class LocalMass : public SoftBodies {
 
   /// Before the first substep.
   void begin() { place(), begin_step(); }
+  /// A substep begins, with that flow. Collective. Throws CollectiveError.
+  void before(const Substep& substep, const FlowState& flow);
   /// The flow's hook between prediction and projection. Collective. Throws CollectiveError.
   void predicted(const Substep& substep, double dt, View<FaceX> u, View<FaceY> v, View<FaceZ> w);
 
@@ -35,6 +37,8 @@ class LocalMass : public SoftBodies {
   void advance(const VertexTransfer::Part& part, double alpha, double dt);
 
   std::vector<Vec3> velocities_, forces_, pushes_;
+  std::vector<Vec3> flow_before_, before_;
+  std::vector<Vec3> by_flow_;  // what its acceleration does to the velocities in a substep
   std::vector<double> masses_;
 };
 

@@ -167,14 +167,8 @@ void set_step_limits(BodyKind& kind, const CaseConfig& config, const Grid& grid)
   if (kind.has_pose() || kind.config.coupling == CouplingKind::one_way) return;
   const auto& body = kind.prototype;
   auto masses = body.masses;
-  double own = 0, layer = 0;
-  for (std::size_t v = 0; v < masses.size(); ++v) {
-    const double fluid = config.fluid.density * grid.mean_spacing() * body.reference_areas[v];
-    own += masses[v];
-    layer += fluid;
-    masses[v] += fluid;
-  }
-  kind.wall_over_layer = own / layer;
+  for (std::size_t v = 0; v < masses.size(); ++v)
+    masses[v] += config.fluid.density * grid.mean_spacing() * body.reference_areas[v];
   kind.layered_limit =
       stable_time_step(find_largest_frequency(body, masses), 0, find_largest_damping_rate(body, masses));
   kind.convective_step = convective_step(config, grid);

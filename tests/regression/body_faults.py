@@ -70,7 +70,7 @@ def refused(name, text, patterns, ranks):
     harness.check("{}, {} rank{}".format(name, ranks, "" if ranks == 1 else "s"), test)
 
 
-# A light, stiff shell in vortices: local-mass holds it with small steps alone.
+# A light, stiff shell in vortices, which vibrates tens of times in a step of the flow.
 SHELL = """
 [box]
 size = [4, 4, 4]
@@ -95,16 +95,14 @@ young = 75000
 """
 
 
-def foretold(folder):
-    for step, code in ((0.04, 3), (0.01, 0)):
+def holds(folder):
+    for step in (0.1, 0.04, 0.01):
         write(folder, "case.toml", SHELL.format(step))
-        check = harness.run("check", folder)
-        expect(("may blow up" in check.stdout + check.stderr) == (code == 3), f"check is wrong about the step {step}", check)
         result = harness.run("run", folder, "--out", os.path.join(folder, f"out-{step}"), timeout=100)
-        expect(result.returncode == code, f"the run with the step {step} ends otherwise", result)
+        expect(result.returncode == 0, f"the run with the step {step} ends otherwise", result)
 
 
-harness.check("a light wall that blows up was warned of", foretold)
+harness.check("a light, stiff wall holds with any step of the flow", holds)
 
 for ranks in (1, 3):
     fails("body through a wall", BOX + ball('motion = "prescribed"\npath.z = "2*t"'),

@@ -206,6 +206,26 @@ TEST(SoftBodies, EnergyOnlyFallsAndTheVolumeStays) {
   }
 }
 
+// Its vibrations, from slow ones of the whole shell to those that steps of the flow do not resolve.
+TEST(SoftBodies, LightStiffWallsGainNoEnergyByLocalMass) {
+  for (const double stiffness : {30.0, 1000.0})
+    for (const double mass : {0.02, 0.004}) {
+      auto config = shell_in(16, CouplingKind::local_mass, 5);
+      config.fluid.viscosity = 0.001;
+      auto& shell = config.bodies[0];
+      shell.potentials = {};
+      shell.material.thickness = 0.02;
+      shell.material.density = mass / 0.02;
+      shell.material.young = stiffness / 0.02;
+      config.time.step = 0.03;
+      config.time.max_steps = 80;
+      const SharedFolder owner;
+      Simulation simulation(config, Communicator(), silent(owner.path()));
+      const double at_start = whole_energy(simulation, config);
+      simulation.run([&](const Simulation& s) { EXPECT_LE(whole_energy(s, config), (1 + 1e-4) * at_start); });
+    }
+}
+
 TEST(SoftBodies, AllSchemesFindTheSameMotionInSmallSteps) {
   std::vector<std::vector<double>> found;
   for (const auto coupling : {CouplingKind::force_spreading, CouplingKind::local_mass, CouplingKind::strong}) {
