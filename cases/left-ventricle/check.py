@@ -25,7 +25,7 @@ COARSE_VALVE = {"mechanical": {f"body.{name}.surface.edge": 0.053 for name in HI
                 "natural": {"body.valve.surface.edge": 0.052}}
 # What is changed for the comparison of schemes, and the step over the case's own.
 SCHEMES = {"half the step": ({}, 0.5),
-           "force-spreading, 0.4 of the step": ({"body.sack.coupling": "force-spreading"}, 0.4)}
+           "force-spreading, a fifth of the step": ({"body.sack.coupling": "force-spreading"}, 0.2)}
 # Of a healthy heart: A/E = 0.5 and twice the ejection fraction, so that the peak of the E wave is three times as high. The jet is
 # still what is faster than half the peak mean velocity in the orifice.
 HEALTHY = {"signals.beat.formula": "phase < 0.30 ? sin(pi*phase/0.30)^2 : phase < 0.45 ? 0 : phase < 0.60 ? 0.5*sin(pi*(phase-0.45)/0.15)^2 : "
