@@ -11,6 +11,13 @@ BodyKey when(MotionKind motion, BodyKey key) {
                                [motion](const BodyConfig& b) { return b.motion == motion; });
 }
 
+/// The same where the flow feels the body.
+BodyKey when_felt(MotionKind motion, BodyKey key) {
+  return only_when<BodyConfig>(
+      std::move(key), "motion is \"" + word_for(motion) + "\" and coupling is not \"one-way\"",
+      [motion](const BodyConfig& b) { return b.motion == motion && b.coupling != CouplingKind::one_way; });
+}
+
 bool has_mass(const BodyConfig& b) { return b.motion == MotionKind::rigid || b.motion == MotionKind::hinge; }
 
 BodyKey when_massive(BodyKey key) {
@@ -170,11 +177,7 @@ void add_motion_keys(std::vector<BodyKey>& keys) {
            "which acts as one about a spacing thick"},
           [](auto& b) { return &b.thin_sheet; }),
       "coupling is not \"one-way\"", [](const BodyConfig& b) { return b.coupling != CouplingKind::one_way; }));
-  const auto fixed = [](BodyKey key) {
-    return only_when<BodyConfig>(
-        std::move(key), "motion is \"fixed\" and coupling is not \"one-way\"",
-        [](const BodyConfig& b) { return b.motion == MotionKind::fixed && b.coupling != CouplingKind::one_way; });
-  };
+  const auto fixed = [](BodyKey key) { return when_felt(MotionKind::fixed, std::move(key)); };
   keys.push_back(
       fixed(make_key<BodyConfig>({"tight", "",
                                   "of an open surface: no net flow passes it after any step; for walls with orifices "
@@ -186,11 +189,7 @@ void add_motion_keys(std::vector<BodyKey>& keys) {
                                   "selections for which that holds one by one, and for the rest of the surface: one "
                                   "for each part of the box that the surface borders on"},
                                  [](auto& b) { return &b.tight_parts; })));
-  const auto soft = [](BodyKey key) {
-    return only_when<BodyConfig>(
-        std::move(key), "motion is \"deformable\" and coupling is not \"one-way\"",
-        [](const BodyConfig& b) { return b.motion == MotionKind::deformable && b.coupling != CouplingKind::one_way; });
-  };
+  const auto soft = [](BodyKey key) { return when_felt(MotionKind::deformable, std::move(key)); };
   keys.push_back(
       soft(make_key<BodyConfig>({"held", "",
                                  "a force shared over the surface keeps its centre at rest, so that it deforms but "

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/error.hpp"
 #include "mesh/geometry.hpp"
@@ -10,9 +11,10 @@
 
 namespace pliant {
 
-int local_mass_substeps(double alpha, double step, double limit, const std::string& body) {
+int local_mass_substeps(double alpha, double step, double undamped_limit, const std::string& body) {
   // The parts of the flow's substeps are 8, 2 and 5 fifteenths.
   constexpr int parts = 15;
+  const double limit = std::numbers::sqrt2 / 2 * undamped_limit;  // omega step = sqrt(2)
   return static_cast<int>(std::lround(alpha * parts)) * substeps_for(step / parts, limit, body);
 }
 
@@ -29,8 +31,8 @@ void LocalMass::advance(const VertexTransfer::Part& part, double alpha, double d
   const std::size_t n_vertices = surface.positions.size();
   forces_.resize(n_vertices);
   masses_ = layered_masses(part);
-  const int substeps = surface.substeps.value_or(
-      local_mass_substeps(alpha, dt, std::sqrt(0.5) * part.kind->layered_limit, surface.name));
+  const int substeps =
+      surface.substeps.value_or(local_mass_substeps(alpha, dt, part.kind->layered_limit, surface.name));
   const double step = alpha * dt / substeps;
   auto* contact = contact_.of(*part.body);
   const auto mobilities = contact != nullptr ? mobilities_of(surface, masses_, step) : std::vector<double>{};

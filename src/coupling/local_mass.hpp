@@ -5,11 +5,11 @@
 
 namespace pliant {
 
-/// Steps of a membrane, stable up to `limit`, within the part `alpha` of a fluid step: all of a fluid step have the
-/// same length. What a symplectic step conserves is an energy that depends on its length; lengths that alternate from
-/// substep to substep of the flow swing the fastest vibrations up, where the mass of the wall outweighs its layer.
-/// Throws RunError if there would be too many.
-int local_mass_substeps(double alpha, double step, double limit, const std::string& body);
+/// Steps of a membrane, which without the scheme's damping would be stable up to 2/omega, within the part `alpha` of a
+/// fluid step: all of a fluid step have the same length. What a symplectic step conserves is an energy that depends on
+/// its length; lengths that alternate from substep to substep of the flow swing the fastest vibrations up, where the
+/// mass of the wall outweighs its layer. Throws RunError if there would be too many.
+int local_mass_substeps(double alpha, double step, double undamped_limit, const std::string& body);
 
 /// Local-mass: in each substep a membrane moves together with the layer of fluid around it, rho h a unit of area, in
 /// steps as small as its stiffness wants; the flow takes over what this changed. For light and stiff membranes, where

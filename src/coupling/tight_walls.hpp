@@ -1,6 +1,5 @@
 #pragma once
 #include <Eigen/Core>
-#include <string>
 #include <vector>
 
 #include "coupling/bodies.hpp"
