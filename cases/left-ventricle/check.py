@@ -17,7 +17,7 @@ PEAK, E_END, SYSTOLE, LEAST = 0.15, 0.30, 0.62, 0.80
 EJECTION, HINGED, EDGES = 0.30, ("leaflet-left", "leaflet-right"), ("anterior-edge", "posterior-edge")
 ANNULUS, RADIUS = np.array([0.55, 0, 0]), 0.5
 COLOURS = {"mechanical": "C3", "natural": "C0"}
-# The case files are of 150^3 cells at Re = 5000; edges and step of the coarse size are about twice as long, and Re is 1000.
+# The case files are of 150^3 cells at Re = 5000; edges of the coarse size are about twice as long, and Re is 1000.
 COARSE = {"box.cells": [72, 72, 72], "fluid.viscosity": 0.001, "time.step": 0.006, "body.sack.surface.edge": 0.075, "body.plate.surface.edge": 0.075,
           "body.plate.surface.hole_edge": 0.066, "body.mitral-channel.surface.edge": 0.066,
           "body.aortic-channel.surface.edge": 0.066, "body.aortic-valve.surface.edge": 0.066}
@@ -425,13 +425,18 @@ def draw_wall_shear(plt, beats, file, phases=(0.1, 0.15, 0.2, 0.3, 0.7)):
     save(figure, file)
 
 
-def draw(beats, picture):
+def pyplot():
     import matplotlib
 
     matplotlib.use("Agg")
     import matplotlib.pyplot as plt
 
     plt.rcParams.update({"axes.spines.top": False, "axes.spines.right": False, "legend.frameon": False})
+    return plt
+
+
+def draw(beats, picture):
+    plt = pyplot()
     draw_flow(plt, beats, picture)
     for name, drawing in (("mean-position", draw_position), ("leaflets", draw_leaflets), ("snapshots", draw_snapshots),
                           ("speed", draw_speed), ("valves", draw_valves), ("wall-shear", draw_wall_shear)):

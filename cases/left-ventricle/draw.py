@@ -37,14 +37,8 @@ def main():
             parser.error(f"{run} is the second run with the {valve_of(beat)} valve")
         beats[valve_of(beat)] = beat
 
-    import matplotlib
-
-    matplotlib.use("Agg")
-    import matplotlib.pyplot as plt
-
-    plt.rcParams.update({"axes.spines.top": False, "axes.spines.right": False, "legend.frameon": False})
     further = {"phases": tuple(arguments.phases)} if arguments.phases else {}
-    FIGURES[arguments.figure](plt, dict(sorted(beats.items())), arguments.output, **further)
+    FIGURES[arguments.figure](check.pyplot(), dict(sorted(beats.items())), arguments.output, **further)
     for name, beat in beats.items():
         print(f"{name}: cycle {beat.cycle + 1} to t/T = {beat.cavity['phase'][-1]:.3f}, dV/dt off the flow by up to "
               f"{100 * beat.difference:.2f} % of the peak")
